@@ -4,8 +4,9 @@
 #include <optional>
 
 #include "app/commands.hpp"
-#include "app/fit_options.hpp"
+#include "app/fit_cleaning_options.hpp"
 #include "app/fit_pictures.hpp"
+#include "app/fit_reading_options.hpp"
 #include "app/output_folder.hpp"
 #include "app/output_name.hpp"
 #include "app/standard_streams.hpp"

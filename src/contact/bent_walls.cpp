@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "contact/facet_rule.hpp"
 #include "contact/proxy_limits.hpp"
 
 namespace fingerpad {
@@ -18,7 +19,7 @@ Mat3 bend_of(const ProxyWorld& world, const ProxyWall& wall, double share_m, con
   const double bend = share_m / world.clearance_m();
   if (a.at.feature >= Feature::vertex0)
     return bend * (Mat3::Identity() - wall.normal * wall.normal.transpose());
-  const int k = static_cast<int>(a.at.feature) - static_cast<int>(Feature::edge0);
+  const int k = edge_of(a.at.feature);
   const Part& part = world.part(wall.surface);
   const Vec3 edge_P = part.vertices.col(part.triangles((k + 1) % 3, wall.triangle)) -
                       part.vertices.col(part.triangles(k, wall.triangle));
@@ -28,11 +29,11 @@ Mat3 bend_of(const ProxyWorld& world, const ProxyWall& wall, double share_m, con
 
 }  // namespace
 
-Vec3 way_along_bend(const ProxyWorld& world, const Vec3& place_O, const ProxyStep& step) noexcept {
+Vec3 way_along_bend(const ProxyWorld& world, const ProxyStep& step) noexcept {
   if (step.wall_count < 1 || step.wall_count > 2) return Vec3::Zero();
   Mat3 bend = Mat3::Zero();
   for (std::size_t k = 0; k < step.held_by().size(); ++k)
-    bend += bend_of(world, step.walls[k], step.share_m[k], place_O + step.z);
+    bend += bend_of(world, step.walls[k], step.share_m[k], step.from_O + step.z);
   if (bend.isZero(0)) return Vec3::Zero();
   const Vec3& normal = step.walls[0].normal;
   if (step.wall_count == 2) {

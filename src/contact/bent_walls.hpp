@@ -14,9 +14,8 @@ namespace fingerpad {
 /// walls where the finger is closest, to the second order, is Newton's step (sequential quadratic
 /// programming): steps then come to rest quadratically. It stays in the walls' planes, so that it is as free
 /// of them as the step is; whether it is free of everything else has to be looked at.
-/// @param place_O  where the step is made from
 /// @returns what is to be added to the step; nothing where the walls do not bend, or so much that the finger
 /// is not closest there
-Vec3 way_along_bend(const ProxyWorld& world, const Vec3& place_O, const ProxyStep& step) noexcept;
+Vec3 way_along_bend(const ProxyWorld& world, const ProxyStep& step) noexcept;
 
 }  // namespace fingerpad

@@ -1,5 +1,7 @@
 #include "contact/every_wall.hpp"
 
+#include <algorithm>
+
 namespace fingerpad {
 
 EveryWall::EveryWall(std::span<const ProxyWall> walls) noexcept {
@@ -11,8 +13,8 @@ EveryWall::EveryWall(std::span<const ProxyWall> walls) noexcept {
 
 ProxyProjection EveryWall::project(const Vec3& goal, std::span<const ProxyWall> walls) const noexcept {
   ProxyProjection p;
-  p.active = {0, 1, 2};
-  p.active_count = static_cast<int>(walls.size());
+  p.wall_count = static_cast<int>(walls.size());
+  std::copy(walls.begin(), walls.end(), p.walls.begin());
   if (!together_.fix_shares()) return p;
   std::array<double, 3> lack_m{};
   for (std::size_t i = 0; i < walls.size(); ++i) lack_m[i] = walls[i].lack_m(goal);
@@ -28,7 +30,7 @@ ProxyProjection EveryWall::project(const Vec3& goal, std::span<const ProxyWall> 
 
 ProxyProjection EveryWall::with_walls_nearer(ProxyProjection onto_every, double nearer_m) const noexcept {
   onto_every.found = true;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(onto_every.active_count); ++i) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(onto_every.wall_count); ++i) {
     onto_every.share_m[i] -= nearer_m * per_metre_nearer_[i];
     onto_every.found &= onto_every.share_m[i] > 0;
   }

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "contact/facet_rule.hpp"
+#include "contact/facet_view.hpp"
 #include "contact/surface_point.hpp"
-#include "contact/triangle_approach.hpp"
 #include "part/part.hpp"
 
 namespace fingerpad {

@@ -8,13 +8,13 @@ namespace fingerpad {
 bool LimitedSight::offer_part(int surface, const Vec3& z, std::span<const ProxyWall> walls,
                               LookRound& round) noexcept {
   if (looks_.is_unlimited()) return ProxySight::offer_part(surface, z, walls, round);
-  const PartWay way(world_, surface, world_.in_part(surface, place_O_), z);
+  const PartWay way(world_, surface, world_.in_part(surface, at_.place_O), z);
   const PartWalls before(world_, surface, walls, way.from_P);
   const WaySieve sieve(world_, way, before, round.worst);
   const PacketSieve asked = sieve.asked();
   const TriangleTree& tree = *world_.surface(surface).tree;
   auto offer = [&](int triangle) {
-    looks_.spend(LookCosts::fetched_cleared + before.looks_at_further_walls());
+    looks_.spend(LookCosts::fetched_cleared + looks_at_further_walls(before));
     const TriangleCorners corners = corners_of(tree.part(), triangle);
     if (before.hide(corners) || is_cleared_by_facet(world_, way, corners, round.worst)) return;
     looks_.spend(LookCosts::told);

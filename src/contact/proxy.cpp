@@ -37,17 +37,17 @@ const ProxyContact& Proxy::move(const Vec3& p_WQ, double dt_s) noexcept {
   const bool was_behind = state_.contact.behind;
   const bool goes_on = std::exchange(state_.contact.broken_off, false) && state_.placed;
   if (!state_.placed && !start(goal_O)) return state_.contact;
+  const Vec3 push = state_.place_O - state_.goal_O;
   state_.finger_m = (goal_O - state_.goal_O).norm();
-  const ProxyLeash leash = leash_to(world(), state_, goal_O);
   state_.goal_O = goal_O;
-  if (goes_on || !sight_->carry(state_)) follow(leash, goes_on);
+  if (goes_on || !sight_->carry(state_)) follow(leash_after(push, world(), state_), goes_on);
   state_.contact.behind = state_.contact.broken_off || (was_behind && !state_.contact.settled);
   return state_.contact;
 }
 
 void Proxy::begin_tick(double dt_s) noexcept {
   const ProxyContact& last = state_.contact;
-  state_.last_push_W = last.touching ? Vec3(last.depth_m * last.normal_W) : Vec3::Zero();
+  state_.last_push_W = last.touching() ? Vec3(last.depth_m * last.normal_W) : Vec3::Zero();
   state_.last_direction_W = last.direction_W;
   state_.rest_share = std::min(1.0, dt_s / ProxyLimits::release_s);
   state_.hopped = false;
@@ -72,23 +72,16 @@ bool Proxy::start(const Vec3& goal_O) noexcept {
 /// @param goes_on  with the step that the last tick broke off; all else is for later, so that no two ticks
 /// end at the same step
 void Proxy::follow(ProxyLeash leash, bool goes_on) noexcept {
-  // What a hop gains is the facets', not the finger's, and does not count. What the proxy slides after it
-  // does.
-  const auto hop_uncounted = [&] {
-    const Vec3 before_O = state_.place_O;
-    const Way way = hop();
-    leash.centre_O += state_.place_O - before_O;
-    return way;
-  };
-  Way way = goes_on ? Way::blocked : hop_uncounted();
-  if (way == Way::blocked && !goes_on) way = roll(leash);
-  if (!has_come_to_rest(way)) settle(leash);
+  Way way = Way::blocked;
+  if (!goes_on) way = hop(leash);
+  if (!goes_on && way == Way::blocked) way = roll(leash);
+  if (way != Way::rests) settle(leash);
   // One hop that is felt is enough for a tick.
   for (int k = 0; k < ProxyLimits::most_hops && state_.contact.settled && !are_hops_felt(state_); ++k) {
     sight_->note_rest(state_);
-    way = hop_uncounted();
+    way = hop(leash);
     if (way == Way::blocked) break;
-    if (!has_come_to_rest(way)) settle(leash);
+    if (way != Way::rests) settle(leash);
   }
   if (!sight_->slide(state_)) report(world(), state_);
 }
@@ -97,8 +90,8 @@ void Proxy::follow(ProxyLeash leash, bool goes_on) noexcept {
 void Proxy::settle(const ProxyLeash& leash) noexcept {
   const Vec3& goal_O = state_.goal_O;
   sight_->let_go();
-  double bent_m =
-      0;  // how far a step may go on along bent walls: the first, which mostly ends it, not at all
+  // How far a step may go on along bent walls: the first, which mostly ends it, not at all.
+  double bent_m = 0;
   for (int k = 0; k < ProxyLimits::most_steps; ++k) {
     if (goal_O == state_.place_O) {
       sight_->drop_step();
@@ -107,10 +100,14 @@ void Proxy::settle(const ProxyLeash& leash) noexcept {
     }
     if (sight_->looks().are_spent()) return break_off({});
     const ProxyStep step = sight_->step(state_, {leash.step_m, bent_m});
-    if (step.broken_off) return break_off(step);
+    if (step.end == StepEnd::broken_off) return break_off(step);
     if (advance(step, leash)) return;
     // Ways that converge get shorter by more than that.
-    bent_m = k == 0 ? leash.step_m : step.bent ? ProxyLimits::next_bend * step.z.norm() : bent_m;
+    if (k == 0) {
+      bent_m = leash.step_m;
+    } else if (step.end == StepEnd::bent) {
+      bent_m = ProxyLimits::next_bend * step.z.norm();
+    }
   }
   state_.contact.settled = goal_O == state_.place_O;
 }
@@ -119,29 +116,21 @@ void Proxy::settle(const ProxyLeash& leash) noexcept {
 void Proxy::break_off(const ProxyStep& step) noexcept {
   state_.contact.settled = false;
   state_.contact.broken_off = true;
-  if (step.wall_count == 0) return;
-  state_.hold_place_O = state_.place_O;
-  state_.hold = step;
+  if (step.wall_count > 0) state_.hold = step;
 }
 
 /// Goes the step as far as the leash lets it; true where the proxy has come to its end for this tick.
 bool Proxy::advance(const ProxyStep& step, const ProxyLeash& leash) noexcept {
-  const double share = leash.share_of(state_.place_O, step.z), length_m = step.z.norm();
-  state_.hold_place_O = state_.place_O;
+  const double share = leash.share_of(state_.place_O, step.z);
   state_.hold = step;
+  state_.place_O += share * step.z;
   state_.contact.settled = !(share < 1);
-  if (!state_.contact.settled) {
-    state_.place_O += step.z * share;
-    return true;
-  }
-  state_.place_O += step.z;
-  if (step.truncated) return false;
+  if (!state_.contact.settled) return true;
+  if (step.end == StepEnd::truncated) return false;
+  if (step.wall_count == 0) state_.place_O = step.goal_O;
+  // Else the finger has gone on since the step was broken off.
   const bool is_last = step.goal_O == state_.goal_O;
-  if (step.wall_count == 0 && !step.stuck) {
-    state_.place_O = step.goal_O;
-    return is_last;
-  }
-  return is_last && (length_m <= world().tolerance_m() || is_at_rest(step));
+  return is_last && (step.wall_count == 0 || step.z.norm() <= world().tolerance_m() || is_at_rest(step));
 }
 
 /// Whether each triangle that holds the proxy shows it, from its new place, the wall that the step was made
@@ -149,24 +138,22 @@ bool Proxy::advance(const ProxyStep& step, const ProxyLeash& leash) noexcept {
 bool Proxy::is_at_rest(const ProxyStep& step) const noexcept {
   return std::all_of(step.held_by().begin(), step.held_by().end(), [this](const ProxyWall& wall) {
     if (wall.triangle < 0) return true;
-    const TriangleApproach& here = world().approach(wall.surface, wall.triangle, state_.place_O);
-    const Vec3 turned = world().turned_from_part(wall.surface, here.towards) - wall.normal;
-    return here.distance_m <= world().clearance_m() + world().touching_m() &&
-           turned.squaredNorm() <= ProxyLimits::same_wall * ProxyLimits::same_wall;
+    const ProxyWall here = world().wall_at(wall.surface, wall.triangle, state_.place_O);
+    return here.least_m >= -world().touching_m() &&
+           (here.normal - wall.normal).squaredNorm() <= ProxyLimits::same_wall * ProxyLimits::same_wall;
   });
 }
 
-bool Proxy::has_come_to_rest(Way way) const noexcept {
-  return way == Way::rests || (way == Way::gone && !state_.hold.truncated && is_at_rest(state_.hold));
-}
-
 /// Goes over the smooth convex edge to the neighbour that is nearer to the finger. Blocked while an earlier
-/// hop is still on its way to be shown.
-Proxy::Way Proxy::hop() noexcept {
+/// hop is still on its way to be shown. What it gains is the facets', not the finger's, and does not count
+/// towards the leash; what the proxy slides after it does.
+Proxy::Way Proxy::hop(ProxyLeash& leash) noexcept {
   if (state_.lags) return Way::blocked;
   const auto walls = sight_->nearer_neighbour(state_);
   if (!walls) return Way::blocked;
-  const Way way = go_over(walls->here, walls->there, {});
+  const Vec3 before_O = state_.place_O;
+  const Way way = go_over(*walls, {});
+  leash.centre_O += state_.place_O - before_O;
   state_.hopped |= way != Way::blocked;
   return way;
 }
@@ -177,49 +164,43 @@ Proxy::Way Proxy::roll(const ProxyLeash& leash) noexcept {
   const ProxyWall* wall = state_.one_triangles_wall();
   if (wall == nullptr) return Way::blocked;
   const Vec3& place_O = state_.place_O;
-  const ProxyWall here = world().tangent_wall(wall->surface, wall->triangle, place_O, place_O);
+  const ProxyWall here = world().wall_at(wall->surface, wall->triangle, place_O);
   if (std::abs(here.least_m) > world().touching_m()) return Way::blocked;
   const ProxyWall there = world().tangent_wall(wall->surface, wall->triangle, state_.goal_O, place_O);
   if (!(here.normal.dot(there.normal) > ProxyLimits::least_roll_cosine)) return Way::blocked;
-  return go_over(here, there, leash);
+  return go_over({here, there}, leash);
 }
 
 /// Goes from one wall to another, by way of where the ball lies on both. Blocked where something is in the
 /// way, nothing is gained, or the leash is too short.
-/// @param here, there  seen from the proxy's place, as `goal`, `far` and `over` in it
-Proxy::Way Proxy::go_over(const ProxyWall& here, const ProxyWall& there, const ProxyLeash& leash) noexcept {
+Proxy::Way Proxy::go_over(const WallPair& walls, const ProxyLeash& leash) noexcept {
   sight_->looks().spend(LookCosts::hop);
-  const Vec3& goal_O = state_.goal_O;
-  const Vec3 place_O = state_.place_O, goal = goal_O - place_O;
-  const double depth_m = there.lack_m(goal), must_beat_m = goal.norm() - world().tolerance_m();
-  const Vec3 far = goal + depth_m * there.normal;  // where the second wall alone would hold it
-  const std::optional<Vec3> over = on_both_walls(0.5 * far, here, there);
-  if (!over) return Way::blocked;
+  const Vec3 place_O = state_.place_O, goal = state_.goal_O - place_O;
+  const double depth_m = walls.there.lack_m(goal), must_beat_m = goal.norm() - world().tolerance_m();
+  const Vec3 far = goal + depth_m * walls.there.normal;
+  const std::optional<Vec3> edge = on_both_walls(0.5 * far, walls.here, walls.there);
+  if (!edge) return Way::blocked;
   // Over an edge that is near, not where the planes meet at all.
-  if (over->norm() > ProxyLimits::longest_way_over * far.norm() || leash.share_of(place_O, far) < 1)
+  if (edge->norm() > ProxyLimits::longest_way_over * far.norm() || leash.share_of(place_O, far) < 1)
     return Way::blocked;
-  if (!sight_->is_way_free(place_O, *over, far, here)) {
-    state_.contact.broken_off |= sight_->looks().are_spent();
-    return Way::blocked;
-  }
-  const Vec3 edge_O = place_O + *over;
-  if (depth_m > 0 && depth_m < must_beat_m && sight_->land(state_, there, edge_O, place_O + far))
-    return Way::rests;
-
-  const ProxyStep step = sight_->step_over(edge_O, goal_O, there.seen_from(*over), (far - *over).norm());
-  if (step.broken_off) {
+  const std::optional<ProxyStep> step =
+      sight_->step_over({place_O, state_.goal_O, walls, *edge, far, depth_m, must_beat_m});
+  if (!step) return Way::blocked;
+  if (step->end == StepEnd::broken_off) {
     state_.contact.broken_off = true;
     return Way::blocked;
   }
-  const Vec3 new_place_O = edge_O + step.z;
-  if (!((goal_O - new_place_O).norm() < must_beat_m)) return Way::blocked;
-  if (leash.share_of(place_O, new_place_O - place_O) < 1) return Way::blocked;
-  sight_->let_go();
+  const Vec3 new_place_O = step->from_O + step->z;
+  if (step->end != StepEnd::at_rest) {
+    if (!((state_.goal_O - new_place_O).norm() < must_beat_m)) return Way::blocked;
+    if (leash.share_of(place_O, new_place_O - place_O) < 1) return Way::blocked;
+    sight_->let_go();
+  }
   state_.contact.settled = true;
   state_.place_O = new_place_O;
-  state_.hold_place_O = edge_O;
-  state_.hold = step;
-  return Way::gone;
+  state_.hold = *step;
+  const bool rests = step->end == StepEnd::at_rest || (step->end != StepEnd::truncated && is_at_rest(*step));
+  return rests ? Way::rests : Way::gone;
 }
 
 }  // namespace fingerpad

@@ -63,7 +63,7 @@ class Proxy {
   void resume(const ProxyState& state) noexcept;
 
  private:
-  /// How a way over an edge ended: not gone; gone, perhaps not to the end; gone to where the proxy rests.
+  /// How a way over an edge ended: not gone; gone, perhaps not to its end; gone to where the proxy rests.
   enum class Way { blocked, gone, rests };
 
   const ProxyWorld& world() const noexcept { return sight_->world(); }
@@ -74,10 +74,9 @@ class Proxy {
   void break_off(const ProxyStep& step) noexcept;
   bool advance(const ProxyStep& step, const ProxyLeash& leash) noexcept;
   bool is_at_rest(const ProxyStep& step) const noexcept;
-  bool has_come_to_rest(Way way) const noexcept;
-  Way hop() noexcept;
+  Way hop(ProxyLeash& leash) noexcept;
   Way roll(const ProxyLeash& leash) noexcept;
-  Way go_over(const ProxyWall& here, const ProxyWall& there, const ProxyLeash& leash) noexcept;
+  Way go_over(const WallPair& walls, const ProxyLeash& leash) noexcept;
 
   std::unique_ptr<ProxySight> sight_;
   ProxyStart start_;

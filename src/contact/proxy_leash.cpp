@@ -15,13 +15,12 @@ double ProxyLeash::share_of(const Vec3& place_O, const Vec3& z) const noexcept {
   return c < 0 ? std::clamp((std::sqrt(b * b - a * c) - b) / a, 0.0, 1.0) : 0;
 }
 
-ProxyLeash leash_to(const ProxyWorld& world, const ProxyState& state, const Vec3& goal_O) noexcept {
-  if (!state.contact.touching) return {};
-  const Vec3 push = state.place_O - state.goal_O;
+ProxyLeash leash_after(const Vec3& push, const ProxyWorld& world, const ProxyState& state) noexcept {
+  if (!state.contact.touching()) return {};
   // What is shown of it has no skin, and may change by as much more.
   const double most_m = most_step_m(state, push.norm()) - 2 * world.skin_m();
   const double length_m = std::max(most_m, state.finger_m + push.norm() * state.rest_share);
-  return {goal_O + push, length_m, std::max(length_m - state.finger_m, state.finger_m)};
+  return {state.goal_O + push, length_m, std::max(length_m - state.finger_m, state.finger_m)};
 }
 
 double most_step_m(const ProxyState& state, double last_m) noexcept {
@@ -30,9 +29,9 @@ double most_step_m(const ProxyState& state, double last_m) noexcept {
 
 bool are_hops_felt(const ProxyState& state) noexcept {
   if (!state.hopped || state.last_push_W.isZero(0)) return false;
-  const Vec3 way = state.place_O - state.goal_O;
-  const Vec3 last_way = state.last_push_W.norm() * state.last_direction_W;
-  return (way - last_way).norm() > most_step_m(state) + ProxyLimits::unfelt_share * way.norm();
+  const double last_m = state.last_push_W.norm();
+  const Vec3 way = state.place_O - state.goal_O, change = way - last_m * state.last_direction_W;
+  return change.norm() > most_step_m(state, last_m) + ProxyLimits::unfelt_share * way.norm();
 }
 
 }  // namespace fingerpad

@@ -29,16 +29,13 @@ struct ProxyLeash {
   double share_of(const Vec3& place_O, const Vec3& z) const noexcept;
 };
 
-/// The tick's leash; none where nothing is touched.
-/// @pre finger_m and rest_share are this tick's, place_O and goal_O the last one's
-ProxyLeash leash_to(const ProxyWorld& world, const ProxyState& state, const Vec3& goal_O) noexcept;
+/// The leash of a tick in which the finger has gone to state.goal_O; none where it touched nothing before.
+/// @param push  from the finger to the proxy, before it went
+ProxyLeash leash_after(const Vec3& push, const ProxyWorld& world, const ProxyState& state) noexcept;
 
 /// The largest change in a tick of a push that was so long before it: the finger's motion and the proxy's
 /// [m].
 double most_step_m(const ProxyState& state, double last_m) noexcept;
-inline double most_step_m(const ProxyState& state) noexcept {
-  return most_step_m(state, state.last_push_W.norm());
-}
 
 /// Whether the hops of this tick change the push by more than hops may. A first touch may be anything.
 bool are_hops_felt(const ProxyState& state) noexcept;

@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "contact/proxy_limits.hpp"
 #include "contact/proxy_report.hpp"
@@ -23,8 +22,8 @@ void ProxyMemory::forget() noexcept {
 }
 
 bool ProxyMemory::carry(ProxyState& state) noexcept {
-  finger_m_ = state.finger_m;
-  return slide(state) || (!state.contact.touching && fly(state));
+  view_.note_finger(state.finger_m);
+  return slide(state) || (!state.contact.touching() && fly(state));
 }
 
 /// Flies or slides on in the room that is known.
@@ -35,7 +34,7 @@ bool ProxyMemory::slide(ProxyState& state) noexcept {
   if (!room_.holds(state.goal_O) || !is_clear_of_planes(state.goal_O, -1)) return false;
   state.place_O = state.goal_O;
   state.contact.settled = true;
-  report_free(state);
+  state.contact.hold_count = 0;
   return true;
 }
 
@@ -44,7 +43,8 @@ bool ProxyMemory::fly(ProxyState& state) noexcept {
   const Vec3& goal_O = state.goal_O;
   for (int k = 0; k < Limits::most_flights; ++k) {
     const double way_m = (goal_O - state.place_O).norm();
-    const double free_m = room_m(state.place_O, std::min(way_m, view_reach_m_), way_m + world_.extent_m());
+    const double free_m =
+        room_m(state.place_O, std::min(way_m, view_.next_reach_m()), way_m + world_.extent_m());
     if (free_m >= way_m) {
       room_.kind = Room::Kind::flight;
       room_.centre_O = state.place_O;
@@ -53,7 +53,7 @@ bool ProxyMemory::fly(ProxyState& state) noexcept {
       state.contact.settled = true;
       return true;
     }
-    if (!(free_m > view_reach_m_)) return false;
+    if (!(free_m > view_.next_reach_m())) return false;
     let_go();
     state.place_O += (goal_O - state.place_O) * (free_m / way_m * Limits::flight_share);
   }
@@ -69,14 +69,14 @@ bool ProxyMemory::slide_on_one(ProxyState& state) noexcept {
   Vec3 weights = Vec3::Zero();
   if (lack_m > 0 && wall_O.triangle >= 0) {
     weights = room_.facets[0].at(place_O);
-    if (!(weights.minCoeff() > 0) || nearest_neighbour(wall_O, goal_O) != nullptr) return false;
+    if (!(weights.minCoeff() > 0) || fan_.nearest_to(world_, wall_O, goal_O) != nullptr) return false;
   }
   if (!room_.holds(place_O) && !(lack_m > 0 && extend_slide(state.place_O, place_O))) return false;
   state.place_O = place_O;
-  report_free(state);
-  const ProxyProjection skinless = held_by_one(world_, lack_m - world_.skin_m());
-  if (skinless.active_count == 0) return true;
-  state.hold_place_O = place_O;
+  state.contact.hold_count = 0;
+  const HoldingWalls skinless = held_by_one(world_, wall_O, lack_m - world_.skin_m());
+  if (skinless.wall_count == 0) return true;
+  state.hold.from_O = place_O;
   state.hold.wall_count = 1;
   state.hold.walls[0] = wall_O;
   state.hold.walls[0].least_m = 0;
@@ -99,7 +99,7 @@ bool ProxyMemory::slide_on_several(ProxyState& state) noexcept {
   // Without its skin the ball's walls stand nearer by that.
   const ProxyProjection skinless = room_.every.with_walls_nearer(p, world_.skin_m());
   if (!skinless.found) return false;
-  state.hold_place_O = state.place_O = p.z;
+  state.hold.from_O = state.place_O = p.z;
   state.hold.wall_count = room_.wall_count;
   state.hold.share_m = p.share_m;
   for (std::size_t k = 0; k < walls_O.size(); ++k) {
@@ -113,12 +113,12 @@ bool ProxyMemory::slide_on_several(ProxyState& state) noexcept {
 /// At the end of its room the slide goes on where a new look, ahead, shows more.
 bool ProxyMemory::extend_slide(const Vec3& from_O, const Vec3& to_O) noexcept {
   const Vec3 way = to_O - from_O;
-  const double way_m = way.norm(), lead_m = Limits::lead * view_reach_m_;
-  if (!(way_m < lead_m) || is_past_views()) return false;
-  look_ahead(from_O, way_m, lead_m / way_m * way);
+  const double way_m = way.norm(), lead_m = Limits::lead * view_.next_reach_m();
+  if (!(way_m < lead_m) || view_.is_left()) return false;
+  view_.look_ahead(from_O, way_m, lead_m / way_m * way);
   const ProxyWall wall = room_.walls_O[0].seen_from(from_O);
   const std::span walls(&wall, 1);
-  return make_room(walls, search_place_O(), from_O, to_O) || make_room(walls, from_O, from_O, to_O);
+  return make_room(walls, view_.search_place_O(), from_O, to_O) || make_room(walls, from_O, from_O, to_O);
 }
 
 /// A ball about a place in view and in front of these walls (seen from the place last looked around from), if
@@ -126,55 +126,64 @@ bool ProxyMemory::extend_slide(const Vec3& from_O, const Vec3& to_O) noexcept {
 bool ProxyMemory::make_room(std::span<const ProxyWall> walls, const Vec3& centre_O, const Vec3& from_O,
                             const Vec3& to_O) noexcept {
   room_.centre_O = centre_O;
-  room_.radius_m = room_in_front_of(walls, centre_O);
+  room_.radius_m = view_.room_in_front_of(walls, centre_O);
   return room_.holds(from_O) && room_.holds(to_O);
+}
+
+std::optional<ProxyStep> ProxyMemory::step_over(const WayOver& way) noexcept {
+  if (!is_way_free(way)) return no_way();
+  if (!land(way)) return look_and_step_from_edge(way);
+  ProxyStep there;
+  there.from_O = way.place_O + way.far;
+  there.goal_O = way.goal_O;
+  there.wall_count = 1;
+  there.walls[0] = way.walls.there;
+  there.walls[0].least_m = 0;
+  there.end = StepEnd::at_rest;
+  return there;
 }
 
 /// Besides what the view shows: whether the way ends in the room in front of the one wall that holds the
 /// proxy.
-bool ProxyMemory::is_way_free(const Vec3& place_O, const Vec3& over, const Vec3& far,
-                              const ProxyWall& here) noexcept {
-  if (is_outrun(place_O, far.norm())) return false;
-  look_over_edge(place_O, over, far);
-  const Vec3 edge_O = place_O + over;
+bool ProxyMemory::is_way_free(const WayOver& way) noexcept {
+  if (is_outrun(way.place_O, way.far.norm())) return false;
+  view_.look_over_edge(way);
+  const Vec3 edge_O = way.place_O + way.edge;
   const bool is_in_room =
       room_.is_slide_on_one() && room_.holds(edge_O) &&
       room_.walls_O[0].normal.dot(edge_O) >= room_.walls_O[0].least_m - world_.tolerance_m() &&
       is_clear_of_planes(edge_O, -1);
-  return is_in_room || is_seen_free(over, here);
+  return is_in_room || is_seen_free(way);
 }
 
-/// Slides on from there, if the room in front of the wall holds both places; else nothing is changed.
-bool ProxyMemory::land(ProxyState& state, const ProxyWall& there, const Vec3& edge_O,
-                       const Vec3& to_O) noexcept {
+/// Slides on from the way's far end, where the second wall alone holds the proxy, if the room in front of
+/// that wall holds the edge too; else nothing is changed.
+bool ProxyMemory::land(const WayOver& way) noexcept {
+  if (!(way.depth_m > 0 && way.depth_m < way.must_beat_m)) return false;
+  const ProxyWall& there = way.walls.there;
+  const Vec3 edge_O = way.place_O + way.edge, to_O = way.place_O + way.far;
   const FacetWeights facet(world_, there);
   if (!(facet.at(to_O).minCoeff() > 0)) return false;
-  const ProxyWall wall_O = there.seen_from(-state.place_O), seen = wall_O.seen_from(place_O_);
-  Ball room{search_place_O(), 0};
-  room.radius_m = room_in_front_of(std::span(&seen, 1), room.centre_O);
+  const ProxyWall wall_O = there.seen_from(-way.place_O), seen = wall_O.seen_from(at_.place_O);
+  Ball room{view_.search_place_O(), 0};
+  room.radius_m = view_.room_in_front_of(std::span(&seen, 1), room.centre_O);
   if (!room.holds(edge_O) || !room.holds(to_O) || !is_clear_of_planes(to_O, -1)) return false;
   static_cast<Ball&>(room_) = room;
   room_.kind = Room::Kind::slide;
   room_.wall_count = 1;
   room_.walls_O[0] = wall_O;
   room_.facets[0] = facet;
-  blockers_ = {Blocker{there.surface, there.triangle}};
-  remember_fan(wall_O);
-  state.contact.settled = true;
-  state.place_O = state.hold_place_O = to_O;
-  state.hold = {};
-  state.hold.wall_count = 1;
-  state.hold.walls[0] = there;
-  state.hold.walls[0].least_m = 0;
+  view_.note_blockers(std::span(&there, 1));
+  fan_.remember(world_, wall_O, looks_);
   return true;
 }
 
 /// Notes how far the walls that hold the proxy let it slide, where it is not sliding yet.
 void ProxyMemory::note_rest(const ProxyState& state) noexcept {
   const ProxyStep& hold = state.hold;
-  if (room_.kind == Room::Kind::slide || is_past_views())
+  if (room_.kind == Room::Kind::slide || view_.is_left())
     return;  // it landed there; what is in view is not here
-  if (hold.wall_count == 0 || hold.stuck || place_O_ != state.hold_place_O) return;
+  if (hold.wall_count == 0 || hold.end == StepEnd::stuck || at_.place_O != hold.from_O) return;
   const auto walls = hold.held_by();
   for (const ProxyWall& wall : walls) {
     if (wall.triangle < 0 && walls.size() == 1) continue;
@@ -183,18 +192,18 @@ void ProxyMemory::note_rest(const ProxyState& state) noexcept {
   }
   room_.wall_count = hold.wall_count;
   for (std::size_t k = 0; k < walls.size(); ++k) {
-    room_.walls_O[k] = walls[k].seen_from(-state.hold_place_O);
+    room_.walls_O[k] = walls[k].seen_from(-hold.from_O);
     room_.facets[k] = FacetWeights(world_, walls[k]);
   }
   room_.every = EveryWall(walls);
-  if (!make_room(walls, search_place_O(), state.place_O, state.place_O) &&
-      !make_room(walls, state.hold_place_O, state.place_O, state.place_O)) {
+  if (!make_room(walls, view_.search_place_O(), state.place_O, state.place_O) &&
+      !make_room(walls, hold.from_O, state.place_O, state.place_O)) {
     // Something stands close in front of the walls: no room to slide, but a neighbour may yet be nearer.
     room_.centre_O = state.place_O;
     room_.radius_m = 0;
   }
   room_.kind = Room::Kind::slide;
-  if (room_.wall_count == 1) remember_fan(room_.walls_O[0]);
+  if (room_.wall_count == 1) fan_.remember(world_, room_.walls_O[0], looks_);
 }
 
 /// What holds the proxy where it stands over a facet, with these weights of its corners.
@@ -205,40 +214,10 @@ ContactHold ProxyMemory::hold_over(const ProxyWall& wall, double share_m, const 
   return hold_on_facet(world_, wall, share_m, place_O - world_.clearance_m() * wall.normal, at);
 }
 
-void ProxyMemory::remember_fan(const ProxyWall& wall_O) noexcept {
-  if (!world_.is_shaded()) return;
-  if (fan_surface_ == wall_O.surface && fan_triangle_ == wall_O.triangle &&
-      fan_normal_.dot(wall_O.normal) > 0)
-    return;
-  fan_surface_ = wall_O.surface;
-  fan_triangle_ = wall_O.triangle;
-  fan_normal_ = wall_O.normal;
-  fan_.gather(world_, wall_O);
-  looks_.spend(LookCosts::fetched * fan_.looks());
-  certain_m_ = -1;
-  std::size_t k = 0;
-  for (const ProxyWall& wall : fan_.neighbours_O())
-    per_slope_[k++] = 1 / (wall.normal - wall_O.normal).norm();
-}
-
-/// Of the fan, the neighbour that is nearer to the finger than the wall; null where none is.
-const ProxyWall* ProxyMemory::nearest_neighbour(const ProxyWall& wall_O, const Vec3& goal_O) noexcept {
-  if ((goal_O - certain_goal_O_).squaredNorm() < certain_m_ * std::abs(certain_m_)) return nullptr;
-  const ProxyWall* nearest = fan_.nearest_to(world_, wall_O, goal_O);
-  certain_goal_O_ = goal_O;
-  certain_m_ = std::numeric_limits<double>::infinity();
-  // The depths behind the planes change evenly with the goal.
-  const double wall_depth_m = wall_O.lack_m(goal_O) - world_.tolerance_m();
-  std::size_t k = 0;
-  for (const ProxyWall& wall : fan_.neighbours_O())
-    certain_m_ = std::min(certain_m_, (wall.lack_m(goal_O) - wall_depth_m) * per_slope_[k++]);
-  return nearest;
-}
-
 std::optional<WallPair> ProxyMemory::nearer_neighbour(const ProxyState& state) noexcept {
   if (!world_.is_shaded() || !room_.is_slide_on_one() || room_.walls_O[0].triangle < 0) return std::nullopt;
   const ProxyWall& wall_O = room_.walls_O[0];
-  const ProxyWall* nearest_O = nearest_neighbour(wall_O, state.goal_O);
+  const ProxyWall* nearest_O = fan_.nearest_to(world_, wall_O, state.goal_O);
   if (nearest_O == nullptr) return std::nullopt;
   return WallPair{wall_O.seen_from(state.place_O), nearest_O->seen_from(state.place_O)};
 }

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "contact/every_wall.hpp"
-#include "contact/facet_fan.hpp"
 #include "contact/facet_weights.hpp"
+#include "contact/fan_memory.hpp"
 #include "contact/proxy.hpp"
 #include "contact/proxy_views.hpp"
 
@@ -21,10 +21,7 @@ class ProxyMemory : public ProxyViews {
   bool carry(ProxyState& state) noexcept override;
   void note_rest(const ProxyState& state) noexcept override;
   bool slide(ProxyState& state) noexcept override;
-  bool land(ProxyState& state, const ProxyWall& there, const Vec3& edge_O,
-            const Vec3& to_O) noexcept override;
-  bool is_way_free(const Vec3& place_O, const Vec3& over, const Vec3& far,
-                   const ProxyWall& here) noexcept override;
+  std::optional<ProxyStep> step_over(const WayOver& way) noexcept override;
   std::optional<WallPair> nearer_neighbour(const ProxyState& state) noexcept override;
   void let_go() noexcept override;
   void forget() noexcept override;
@@ -50,6 +47,8 @@ class ProxyMemory : public ProxyViews {
     bool is_slide_on_one() const noexcept { return kind == Kind::slide && wall_count == 1; }
   };
 
+  bool is_way_free(const WayOver& way) noexcept;
+  bool land(const WayOver& way) noexcept;
   bool fly(ProxyState& state) noexcept;
   bool slide_on_one(ProxyState& state) noexcept;
   bool slide_on_several(ProxyState& state) noexcept;
@@ -58,16 +57,9 @@ class ProxyMemory : public ProxyViews {
                  const Vec3& to_O) noexcept;
   ContactHold hold_over(const ProxyWall& wall, double share_m, const Vec3& place_O,
                         const Vec3& weights) const noexcept;
-  void remember_fan(const ProxyWall& wall_O) noexcept;
-  const ProxyWall* nearest_neighbour(const ProxyWall& wall_O, const Vec3& goal_O) noexcept;
 
   Room room_;
-  FacetFan fan_;  // about the facet that holds the proxy ...
-  int fan_surface_ = -1, fan_triangle_ = -1;
-  Vec3 fan_normal_ = Vec3::Zero();  // ... from the side to which its wall's normal points
-  std::array<double, ProxyLimits::most_neighbours> per_slope_{};  // 1/|a neighbour's normal - the wall's|
-  Vec3 certain_goal_O_ = Vec3::Zero();  // no neighbour of it is nearer to a finger ...
-  double certain_m_ = -1;               // ... that is within so much of here
+  FanMemory fan_;
 };
 
 }  // namespace fingerpad

@@ -9,21 +9,16 @@
 namespace fingerpad {
 namespace {
 
-/// The wall of state.hold that the k-th hold stands for.
-const ProxyWall& active_wall(const ProxyState& state, const ProxyProjection& p, std::size_t k) noexcept {
-  return state.hold.walls[static_cast<std::size_t>(p.active[k])];
-}
-
 /// The turn from the walls' normals to the holds' shaded ones: the mean, each weighted with its share.
-Vec3 turn_of_holds(const ProxyState& state, const ProxyProjection& p) noexcept {
+/// @pre something is touched: they have shares
+Vec3 turn_of_holds(const HoldingWalls& held, const ProxyContact& contact) noexcept {
   Vec3 turn = Vec3::Zero();
   double share_m = 0;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(p.active_count); ++k) {
-    const ContactHold& hold = state.contact.holds[k];
-    turn += hold.share_m * turn_between(active_wall(state, p, k).normal, hold.normal_W);
-    share_m += hold.share_m;
+  for (std::size_t k = 0; k < held.held_by().size(); ++k) {
+    turn += held.share_m[k] * turn_between(held.walls[k].normal, contact.holds[k].normal_W);
+    share_m += held.share_m[k];
   }
-  return share_m > 0 ? Vec3(turn / share_m) : Vec3::Zero();
+  return turn / share_m;
 }
 
 /// Greatest first; std::stable_sort would allocate.
@@ -38,29 +33,37 @@ void sort_by_share(ProxyContact& contact) noexcept {
 bool is_held_back(const ProxyState& state) noexcept {
   const auto walls = state.hold.held_by();
   return std::any_of(walls.begin(), walls.end(), [&state](const ProxyWall& wall) {
-    return wall.lack_m(state.goal_O - state.hold_place_O) > 0;
+    return wall.lack_m(state.goal_O - state.hold.from_O) > 0;
   });
 }
 
-/// The proxy has not come to rest: on its way it pushes as far as it still has to go. Where it stays behind
-/// for want of looks, nothing may be in the way at all.
+void tell_holds(const ProxyWorld& world, const HoldingWalls& held, ProxyState& state) noexcept {
+  for (std::size_t k = 0; k < held.held_by().size(); ++k)
+    state.contact.holds[k] = hold_at(world, held.walls[k], held.share_m[k], state.place_O);
+}
+
+/// The push is towards a ball there, and what touches is the ball's point farthest along it.
+void tell_direction(const ProxyWorld& world, const Vec3& place_O, const Vec3& direction,
+                    ProxyContact& contact) noexcept {
+  contact.direction_W = direction;
+  contact.point_W = place_O + world.p_WO() - world.radius_m() * direction;
+}
+
+/// The proxy has not come to rest: on its way it pushes as far as it still has to go, by the holds of before
+/// where no wall is in its way.
 void report_underway(const ProxyWorld& world, ProxyState& state) noexcept {
   ProxyContact& contact = state.contact;
   const ProxyStep& hold = state.hold;
-  if (hold.wall_count > 0) contact.known_holds = hold.wall_count;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(hold.wall_count); ++k)
-    contact.holds[k] = hold_at(world, hold.walls[k], hold.share_m[k], state.place_O);
+  const int hold_count = hold.wall_count > 0 ? hold.wall_count : contact.hold_count;
+  tell_holds(world, hold, state);
   const Vec3 push = state.place_O - state.goal_O;
   const double length_m = push.norm();
   contact.depth_m = std::max(0.0, length_m - world.skin_m());
-  contact.touching = contact.depth_m > 0 && contact.known_holds > 0;
-  contact.hold_count = contact.touching ? contact.known_holds : 0;
-  if (!contact.touching) return;
+  contact.hold_count = contact.depth_m > 0 ? hold_count : 0;
+  if (!contact.touching()) return;
   contact.settled = false;
-  contact.direction_W = push / length_m;
-  contact.proxy_W = state.place_O + world.p_WO();
-  contact.point_W = contact.proxy_W - world.radius_m() * contact.direction_W;
-  show_normal(world, contact.direction_W, state);
+  tell_direction(world, state.place_O, push / length_m, contact);
+  show_push(world, contact.direction_W, state);
 }
 
 /// The normal of a wall as Normals says at a point of its triangle.
@@ -75,16 +78,15 @@ Vec3 shaded_W(const ProxyWorld& world, const ProxyWall& wall, const TrianglePoin
 
 }  // namespace
 
-ProxyProjection held_without_skin(const ProxyWorld& world, const Vec3& place_O, const Vec3& goal_O,
-                                  std::span<const ProxyWall> walls) noexcept {
-  const Vec3 goal = goal_O - place_O;
+std::optional<HoldingWalls> held_without_skin(const ProxyWorld& world, const ProxyStep& hold,
+                                              const Vec3& goal_O) noexcept {
+  const Vec3 goal = goal_O - hold.from_O;
   // Without its skin the ball's walls stand nearer by that.
-  std::array<ProxyWall, 3> skinless;
-  std::copy(walls.begin(), walls.end(), skinless.begin());
-  for (ProxyWall& wall : skinless) wall.least_m -= world.skin_m();
-  if (walls.size() == 1) return held_by_one(world, skinless[0].lack_m(goal));
-  return project_onto_walls(goal, std::span(skinless.data(), walls.size()),
-                            world.slack_m() + world.plane_rounding_m(place_O, goal_O));
+  HoldingWalls held = hold;
+  for (ProxyWall& wall : held.walls) wall.least_m -= world.skin_m();
+  if (held.wall_count == 1) return held_by_one(world, held.walls[0], held.walls[0].lack_m(goal));
+  const double slack_m = world.slack_m() + world.plane_rounding_m(hold.from_O, goal_O);
+  return held.project(goal, std::nullopt, slack_m) ? std::optional(held) : std::nullopt;
 }
 
 ContactHold hold_at(const ProxyWorld& world, const ProxyWall& wall, double share_m,
@@ -105,41 +107,34 @@ ContactHold hold_on_facet(const ProxyWorld& world, const ProxyWall& wall, double
 
 void report(const ProxyWorld& world, ProxyState& state) noexcept {
   const ProxyStep& hold = state.hold;
+  // Where the ball stays behind for want of looks, nothing may be in the way at all.
   const bool waits_freely = state.contact.broken_off && !is_held_back(state);
   if (!state.contact.settled && !waits_freely) return report_underway(world, state);
-  report_free(state);
+  state.contact.hold_count = 0;
   if (!state.contact.settled || hold.wall_count == 0) return;
-  const ProxyProjection p = held_without_skin(world, state.hold_place_O, state.goal_O, hold.held_by());
-  if (!p.found) return report_underway(world, state);
-  for (std::size_t k = 0; k < static_cast<std::size_t>(p.active_count); ++k)
-    state.contact.holds[k] =
-        hold_at(world, hold.walls[static_cast<std::size_t>(p.active[k])], p.share_m[k], state.place_O);
-  report_held(world, p, state);
+  const std::optional<HoldingWalls> held = held_without_skin(world, hold, state.goal_O);
+  if (!held) return report_underway(world, state);
+  tell_holds(world, *held, state);
+  report_held(world, *held, state);
 }
 
-void report_held(const ProxyWorld& world, const ProxyProjection& p, ProxyState& state) noexcept {
+void report_held(const ProxyWorld& world, const HoldingWalls& held, ProxyState& state) noexcept {
   ProxyContact& contact = state.contact;
   Vec3 push = Vec3::Zero();
-  for (std::size_t k = 0; k < static_cast<std::size_t>(p.active_count); ++k)
-    push += p.share_m[k] * active_wall(state, p, k).normal;
-  const bool is_single = p.active_count == 1;
+  for (std::size_t k = 0; k < held.held_by().size(); ++k) push += held.share_m[k] * held.walls[k].normal;
+  const bool is_single = held.wall_count == 1;
   contact.settled = true;
-  contact.known_holds = p.active_count;
-  contact.depth_m = is_single ? p.share_m[0] : push.norm();
-  contact.touching = contact.depth_m > 0;
-  contact.hold_count = contact.touching ? p.active_count : 0;
-  if (!contact.touching) return;
-  contact.proxy_W = state.goal_O + push + world.p_WO();
+  contact.depth_m = is_single ? held.share_m[0] : push.norm();
+  contact.hold_count = contact.depth_m > 0 ? held.wall_count : 0;
+  if (!contact.touching()) return;
   if (is_single) {
-    contact.direction_W = active_wall(state, p, 0).normal;
+    contact.direction_W = held.walls[0].normal;
     contact.point_W = contact.holds[0].point_W;
-    show_normal(world, contact.holds[0].normal_W, state);
-    return;
+    return show_push(world, contact.holds[0].normal_W, state);
   }
-  contact.direction_W = push / contact.depth_m;
-  contact.point_W = contact.proxy_W - world.radius_m() * contact.direction_W;
+  tell_direction(world, state.goal_O + push, push / contact.depth_m, contact);
   const Vec3& direction = contact.direction_W;
-  show_normal(world, world.is_shaded() ? turned(direction, turn_of_holds(state, p)) : direction, state);
+  show_push(world, world.is_shaded() ? turned(direction, turn_of_holds(held, contact)) : direction, state);
   sort_by_share(contact);
 }
 

@@ -17,27 +17,23 @@ namespace fingerpad {
 
 /// The proxy rests, or is still on its way: looks for what holds it, and reports.
 void report(const ProxyWorld& world, ProxyState& state) noexcept;
-/// The walls of state.hold that `p` names hold the proxy; their contact.holds are filled, in p's order.
-void report_held(const ProxyWorld& world, const ProxyProjection& p, ProxyState& state) noexcept;
-/// Nothing touches: the proxy is where the finger is.
-inline void report_free(ProxyState& state) noexcept {
-  state.contact.touching = false;
-  state.contact.hold_count = 0;
-}
+/// These walls hold the proxy; their contact.holds are filled, in the same order.
+/// @param held  of the ball without its skin
+void report_held(const ProxyWorld& world, const HoldingWalls& held, ProxyState& state) noexcept;
 
 /// Whether one wall holds the ball without its skin, and by how much: what project_onto_walls comes to.
 /// @param depth_m  how far the finger is behind that ball's wall
-inline ProxyProjection held_by_one(const ProxyWorld& world, double depth_m) noexcept {
-  ProxyProjection p;
-  p.found = true;
-  p.share_m[0] = depth_m;
-  p.active_count = p.share_m[0] > world.slack_m() ? 1 : 0;
-  return p;
+inline HoldingWalls held_by_one(const ProxyWorld& world, const ProxyWall& wall, double depth_m) noexcept {
+  HoldingWalls held;
+  held.wall_count = depth_m > world.slack_m() ? 1 : 0;
+  held.walls[0] = wall;
+  held.share_m[0] = depth_m;
+  return held;
 }
-/// Which of the walls hold the ball without its skin, and by how much.
-/// @param walls  the ball's with its skin, at most three, seen from a place
-ProxyProjection held_without_skin(const ProxyWorld& world, const Vec3& place_O, const Vec3& goal_O,
-                                  std::span<const ProxyWall> walls) noexcept;
+/// Which of a step's walls, which are the ball's with its skin, hold the ball without it, and by how much;
+/// nothing where rounding leaves these nothing in common.
+std::optional<HoldingWalls> held_without_skin(const ProxyWorld& world, const ProxyStep& hold,
+                                              const Vec3& goal_O) noexcept;
 
 /// What holds the proxy where the place under it is looked for.
 ContactHold hold_at(const ProxyWorld& world, const ProxyWall& wall, double share_m,

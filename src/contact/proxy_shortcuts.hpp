@@ -17,12 +17,6 @@ class ProxyShortcuts {
   virtual void note_rest(const ProxyState&) noexcept {}
   /// At the tick's end: takes the proxy to the same place in closed form, and reports. False if not known.
   virtual bool slide(ProxyState&) noexcept { return false; }
-  /// Takes the proxy over an edge to `to`, where `there` (seen from its place) alone holds it. False where
-  /// that is not known.
-  virtual bool land(ProxyState&, const ProxyWall& /*there*/, const Vec3& /*edge_O*/,
-                    const Vec3& /*to_O*/) noexcept {
-    return false;
-  }
   /// The proxy leaves what it rested on; steps may follow.
   virtual void let_go() noexcept {}
 };

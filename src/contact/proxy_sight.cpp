@@ -1,5 +1,6 @@
 #include "contact/proxy_sight.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "contact/facet_fan.hpp"
@@ -12,7 +13,7 @@ namespace {
 std::optional<ProxyWall> facet_that_holds(const ProxyWorld& world, const ProxyState& s) noexcept {
   const ProxyWall* wall = s.one_triangles_wall();
   if (wall == nullptr) return std::nullopt;
-  const ProxyWall wall_O = wall->seen_from(-s.hold_place_O);
+  const ProxyWall wall_O = wall->seen_from(-s.hold.from_O);
   if (std::abs(wall_O.lack_m(s.place_O)) > world.touching_m()) return std::nullopt;
   if (world.approach(wall_O.surface, wall_O.triangle, s.place_O).at.feature != Feature::face)
     return std::nullopt;
@@ -23,26 +24,27 @@ std::optional<ProxyWall> facet_that_holds(const ProxyWorld& world, const ProxySt
 
 /// A way of this length does not end beyond the reach, whatever rounding does.
 void ProxySight::look_from(const Vec3& place_O, double way_m) noexcept {
-  place_O_ = place_O;
-  reach_m_ = way_m * (1 + ProxyLimits::reach_rounding);
+  at_ = {place_O, way_m * (1 + ProxyLimits::reach_rounding)};
 }
 
 ProxyStep ProxySight::step(const ProxyState& s, const StepTerms& terms) noexcept {
-  if (is_amid_step()) return go_on_with_step();
-  look_from(s.place_O, std::min((s.goal_O - s.place_O).norm(), terms.most_m));
-  return step_towards(s.goal_O, reach_m_, terms.bent_m);
+  if (!making_.is_underway()) {
+    look_from(s.place_O, std::min((s.goal_O - s.place_O).norm(), terms.most_m));
+    making_.begin(*this, s.goal_O, at_.reach_m, terms.bent_m);
+  }
+  return making_.go_on(*this);
 }
 
-ProxyStep ProxySight::step_over(const Vec3& edge_O, const Vec3& goal_O, const ProxyWall& first,
-                                double) noexcept {
-  look_from(edge_O, (goal_O - edge_O).norm());
-  return step_beside(first, goal_O);
+std::optional<ProxyStep> ProxySight::step_over(const WayOver& way) noexcept {
+  look_from(way.place_O, way.edge.norm());
+  if (!is_free(way.edge, way.walls.here)) return no_way();
+  const Vec3 edge_O = way.place_O + way.edge;
+  look_from(edge_O, (way.goal_O - edge_O).norm());
+  return step_from_edge(way);
 }
 
-bool ProxySight::is_way_free(const Vec3& place_O, const Vec3& over, const Vec3&,
-                             const ProxyWall& here) noexcept {
-  look_from(place_O, over.norm());
-  return is_free(over, std::span(&here, 1));
+std::optional<ProxyStep> ProxySight::no_way() const noexcept {
+  return looks_.are_spent() ? std::optional(broken_off_step()) : std::nullopt;
 }
 
 std::optional<WallPair> ProxySight::nearer_neighbour(const ProxyState& s) noexcept {
@@ -59,7 +61,7 @@ std::optional<WallPair> ProxySight::nearer_neighbour(const ProxyState& s) noexce
 
 bool ProxySight::offer_part(int surface, const Vec3& z, std::span<const ProxyWall> walls,
                             LookRound& round) noexcept {
-  const PartWay way(world_, surface, world_.in_part(surface, place_O_), z);
+  const PartWay way(world_, surface, world_.in_part(surface, at_.place_O), z);
   const PartWalls before(world_, surface, walls, way.from_P);
   const Part& part = world_.part(surface);
   auto offer = [&](int triangle) {
@@ -68,7 +70,7 @@ bool ProxySight::offer_part(int surface, const Vec3& z, std::span<const ProxyWal
     round.worst.offer_triangle(world_, way, corners, triangle,
                                FirstApproach(approach_triangle(corners, way.from_P)));
   };
-  world_.surface(surface).tree->each_within(way.from_P, world_.clearance_m() + reach_m_,
+  world_.surface(surface).tree->each_within(way.from_P, world_.clearance_m() + at_.reach_m,
                                             call_with_triangle<decltype(offer)>, &offer);
   return true;
 }
@@ -77,29 +79,21 @@ bool ProxySight::offer_all(const Vec3& z, std::span<const ProxyWall> walls, Look
   for (; round.part < world_.parts().size(); ++round.part, round.next = 0) {
     if (!offer_part(world_.parts()[round.part], z, walls, round)) return false;
   }
-  for (const int i : world_.planes()) round.worst.offer_plane(world_.plane_wall(i, place_O_), z);
+  for (const int i : world_.planes()) round.worst.offer_plane(world_.plane_wall(i, at_.place_O), z);
   return true;
 }
 
-bool ProxySight::is_free(const Vec3& z, std::span<const ProxyWall> walls) noexcept {
+bool ProxySight::is_free(const Vec3& z, const ProxyWall& wall) noexcept {
   LookRound round(world_.tolerance_m());
-  return offer_all(z, walls, round) && !round.worst.wall;
+  return offer_all(z, std::span(&wall, 1), round) && !round.worst.wall;
 }
 
-ProxyStep ProxySight::step_towards(const Vec3& goal_O, double most_m, double bent_m,
-                                   std::span<const ProxyWall> first) noexcept {
-  making_.begin(*this, goal_O, most_m, bent_m);
-  for (const ProxyWall& wall : first) making_.guess(wall);
-  return go_on_with_step();
-}
-
-/// The same to be made at once or not at all.
-/// @param first  a wall to begin with, seen from the place looked around from
-ProxyStep ProxySight::step_beside(const ProxyWall& first, const Vec3& goal_O) noexcept {
-  making_.begin(*this, goal_O, reach_m_, 0);
-  making_.add(first);
-  const ProxyStep step = go_on_with_step();
-  drop_step();
+/// From the edge looked around from; to be made at once or not at all.
+ProxyStep ProxySight::step_from_edge(const WayOver& way) noexcept {
+  making_.begin(*this, way.goal_O, at_.reach_m, 0);
+  making_.add(way.walls.there.seen_from(way.edge));
+  const ProxyStep step = making_.go_on(*this);
+  making_.drop();
   return step;
 }
 

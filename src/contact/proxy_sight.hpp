@@ -16,6 +16,23 @@ struct WallPair {
   ProxyWall here, there;
 };
 
+/// A way of the proxy from one wall to another.
+struct WayOver {
+  Vec3 place_O, goal_O;  ///< of the proxy, and of the finger
+  WallPair walls;
+  // Seen from the place:
+  Vec3 edge;           ///< where the ball lies on both walls
+  Vec3 far;            ///< where the second wall alone would hold it
+  double depth_m;      ///< how far the finger is behind that wall
+  double must_beat_m;  ///< the way is worth going if it ends nearer to the finger than that
+};
+
+/// Where a sight looks around from, and how far beyond the ball [m].
+struct Lookout {
+  Vec3 place_O = Vec3::Zero();
+  double reach_m = 0;
+};
+
 /// How far a step is to go.
 struct StepTerms {
   double most_m;      ///< the proxy will go no farther: what stands beyond need not be seen
@@ -36,20 +53,13 @@ class ProxySight : public ProxyShortcuts {
   const ProxyWorld& world() const noexcept { return world_; }
   /// What this tick may still look at.
   Looks& looks() noexcept { return looks_; }
-  const Looks& looks() const noexcept { return looks_; }
 
   /// The step from the proxy's place that brings it as close to its goal as it can get without crossing a
   /// surface. After a step that was broken off, from the same place, it is the same step gone on with,
   /// towards the goal that it was made for.
   virtual ProxyStep step(const ProxyState& state, const StepTerms& terms) noexcept;
-  /// The same from a place above an edge, where `first` is known to hold (seen from there).
-  /// @param rest_m  how far from there to the place that `first` alone would allow
-  virtual ProxyStep step_over(const Vec3& edge_O, const Vec3& goal_O, const ProxyWall& first,
-                              double rest_m) noexcept;
-  /// Whether the ball may go by `over` from its place, in front of the wall `here`.
-  /// @param far  where it will go on to from there, relative to its place
-  virtual bool is_way_free(const Vec3& place_O, const Vec3& over, const Vec3& far,
-                           const ProxyWall& here) noexcept;
+  /// The step from the way's edge, where its second wall holds; nothing where the way to there is blocked.
+  virtual std::optional<ProxyStep> step_over(const WayOver& way) noexcept;
   /// Where one facet holds the proxy from over its face: that facet and its smooth neighbour that is nearest
   /// to the finger, if one is nearer.
   virtual std::optional<WallPair> nearer_neighbour(const ProxyState& state) noexcept;
@@ -61,35 +71,27 @@ class ProxySight : public ProxyShortcuts {
   virtual void forget() noexcept { drop_step(); }
 
   // For a step in the making:
-  const Vec3& place_O() const noexcept { return place_O_; }
+  const Vec3& place_O() const noexcept { return at_.place_O; }
   /// Looks for the wall that the way by `z` from there breaches most; triangles behind the given walls
   /// cannot. False where the looks were spent before the end.
   bool offer_all(const Vec3& z, std::span<const ProxyWall> walls, LookRound& round) noexcept;
 
  protected:
-  /// @param most_m  the step ends there at the latest; no farther than is looked around
-  /// @param first  walls to begin with that likely hold, seen from the place looked around from
-  ProxyStep step_towards(const Vec3& goal_O, double most_m, double bent_m,
-                         std::span<const ProxyWall> first = {}) noexcept;
-  ProxyStep step_beside(const ProxyWall& first, const Vec3& goal_O) noexcept;
-  /// Whether the last step was broken off.
-  bool is_amid_step() const noexcept { return making_.is_underway(); }
-  ProxyStep go_on_with_step() noexcept { return making_.go_on(*this); }
+  ProxyStep step_from_edge(const WayOver& way) noexcept;
+  /// Of a way that was not seen to be free: nothing, or where that is for want of looks a step broken off.
+  std::optional<ProxyStep> no_way() const noexcept;
   /// Looks around from there, for ways no longer than this.
   void look_from(const Vec3& place_O, double way_m) noexcept;
-  /// Whether nothing blocks the way by `z` from the place looked around from; triangles behind the given
-  /// walls cannot.
-  bool is_free(const Vec3& z, std::span<const ProxyWall> walls) noexcept;
+  /// Whether nothing blocks the way by `z` from the place looked around from; triangles behind the wall
+  /// cannot.
+  bool is_free(const Vec3& z, const ProxyWall& wall) noexcept;
   /// What offer_all asks of one part.
   virtual bool offer_part(int surface, const Vec3& z, std::span<const ProxyWall> walls,
                           LookRound& round) noexcept;
 
   ProxyWorld world_;
-  Vec3 place_O_ = Vec3::Zero();  // looked around from ...
-  double reach_m_ = 0;           // ... so far beyond the ball
+  Lookout at_;
   Looks looks_{Looks::unlimited};
-
- private:
   StepMaking making_;
 };
 

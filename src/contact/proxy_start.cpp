@@ -15,17 +15,16 @@ namespace {
 /// The nearest place that keeps the clearance from every plane, by the dual active-set method: the plane that
 /// is breached most is added until none is.
 std::optional<Vec3> out_of_planes(const ProxyWorld& world, const Vec3& goal_O) noexcept {
-  ActiveWalls walls;
+  HoldingWalls walls;
   Vec3 place_O = goal_O;
   for (int pass = 0; pass < ProxyLimits::most_passes; ++pass) {
     const double slack_m = world.plane_rounding_m(place_O, goal_O);
     WorstWall worst{std::nullopt, -ProxyLimits::breach_roundings * slack_m};
     for (const int i : world.planes()) worst.offer_plane(world.plane_wall(i, place_O), Vec3::Zero());
     if (!worst.wall) return place_O;
-    walls.add(world.plane_wall(worst.wall->surface, goal_O));
-    const ProxyProjection p = walls.project(Vec3::Zero(), slack_m);
-    if (!p.found) return std::nullopt;
-    place_O = goal_O + p.z;
+    const auto z = walls.project(Vec3::Zero(), world.plane_wall(worst.wall->surface, goal_O), slack_m);
+    if (!z) return std::nullopt;
+    place_O = goal_O + *z;
   }
   return std::nullopt;
 }
@@ -61,11 +60,11 @@ ProxyStart::End ProxyStart::push_on(const ProxyWorld& world, const Vec3& goal_O,
   for (; pushes_ < ProxyLimits::most_pushes; ++pushes_) {
     is_underway_ = looks.are_spent() || !look_at_all(world, looks);
     if (is_underway_) return End::broken_off;
-    if (!(lack_m_ > world.tolerance_m())) {
+    if (!(worst_.least_m > world.tolerance_m())) {
       has_failed_ = false;
       return End::placed;
     }
-    place_O_ += lack_m_ * outwards_W_;
+    place_O_ += worst_.least_m * worst_.normal;
     if (is_going_round()) break;
     if ((pushes_ & (pushes_ - 1)) == 0) passed_O_ = place_O_;
     look_anew(world);
@@ -77,12 +76,12 @@ ProxyStart::End ProxyStart::push_on(const ProxyWorld& world, const Vec3& goal_O,
 /// Whether it is back where it was, between walls that are nearer to each other than the ball is wide: if all
 /// pushes led on by as little, that would be next to nothing of what it lacks.
 bool ProxyStart::is_going_round() const noexcept {
-  return (place_O_ - passed_O_).norm() * ProxyLimits::most_pushes < ProxyLimits::little_way * lack_m_;
+  return (place_O_ - passed_O_).norm() * ProxyLimits::most_pushes < ProxyLimits::little_way * worst_.least_m;
 }
 
 void ProxyStart::look_anew(const ProxyWorld& world) noexcept {
   part_ = 0;
-  lack_m_ = world.tolerance_m();
+  worst_.least_m = world.tolerance_m();
 }
 
 /// Looks for the surface that the place is nearest to, or deepest in. False where it was broken off.
@@ -91,17 +90,12 @@ bool ProxyStart::look_at_all(const ProxyWorld& world, Looks& looks) noexcept {
     if (!look_at_part(world, world.parts()[part_], looks)) return false;
     look_ = {};
   }
-  for (const int plane : world.planes()) {
-    const ProxyWall wall = world.plane_wall(plane, place_O_);
-    note(wall.least_m, wall.normal);
-  }
+  for (const int plane : world.planes()) note(world.plane_wall(plane, place_O_));
   return true;
 }
 
-void ProxyStart::note(double lack_m, const Vec3& outwards_W) noexcept {
-  if (!(lack_m > lack_m_)) return;
-  lack_m_ = lack_m;
-  outwards_W_ = outwards_W;
+void ProxyStart::note(const ProxyWall& wall) noexcept {
+  if (wall.least_m > worst_.least_m) worst_ = wall;
 }
 
 /// False where it was broken off.
@@ -109,23 +103,22 @@ bool ProxyStart::look_at_part(const ProxyWorld& world, int surface, Looks& looks
   const TriangleTree& tree = *world.surface(surface).tree;
   const Vec3 q_P = world.in_part(surface, place_O_);
   if ((q_P.cwiseAbs() - tree.part().half_extent).maxCoeff() > world.clearance_m()) return true;
-  std::optional<ClosestTriangle> closest;
-  if (!look_.is_deep) {
-    closest = tree.closest(q_P, world.clearance_m(), look_.closest, looks);
-    if (!closest) return false;
-    if (closest->triangle < 0) {
-      // Of what is not near, all that counts is whether the place is inside, which takes far fewer looks to
-      // tell than what is closest.
-      const auto inside = tree.encloses(q_P, look_.winding, looks);
-      if (!inside) return false;
-      if (!*inside) return true;
-      look_.is_deep = true;
-      look_.closest.next = 0;  // from the triangle that it began near
-    }
-  }
   // What lies deep inside is pushed out, however far it is to the surface.
-  if (look_.is_deep)
-    closest = tree.closest(q_P, std::numeric_limits<double>::infinity(), look_.closest, looks);
+  const auto find_closest = [&] {
+    const double reach_m = look_.is_deep ? std::numeric_limits<double>::infinity() : world.clearance_m();
+    return tree.closest(q_P, reach_m, look_.closest, looks);
+  };
+  std::optional<ClosestTriangle> closest = find_closest();
+  if (closest && closest->triangle < 0 && !look_.is_deep) {
+    // Of what is not near, all that counts is whether the place is inside, which takes far fewer looks to
+    // tell than what is closest.
+    const auto inside = tree.encloses(q_P, look_.winding, looks);
+    if (!inside) return false;
+    if (!*inside) return true;
+    look_.is_deep = true;
+    look_.closest.next = 0;  // from the triangle that it began near
+    closest = find_closest();
+  }
   if (!closest) return false;
   const SurfacePoint near =
       surface_point_at(tree, *closest, q_P + tree.part().centre_P, Normals::facet, world.clearance_m());
@@ -135,8 +128,8 @@ bool ProxyStart::look_at_part(const ProxyWorld& world, int surface, Looks& looks
   if (!inside) return false;
   // Behind a sheet that encloses nothing the way out is away from it, as it is in front.
   const double side = is_behind && !*inside ? -1 : 1;
-  note(world.clearance_m() - side * near.signed_distance_m,
-       world.surface(surface).R_WP * (side * near.normal_P));
+  note({world.surface(surface).R_WP * (side * near.normal_P),
+        world.clearance_m() - side * near.signed_distance_m, surface, near.triangle});
   return true;
 }
 

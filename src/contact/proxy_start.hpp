@@ -39,7 +39,7 @@ class ProxyStart {
   void look_anew(const ProxyWorld& world) noexcept;
   bool look_at_all(const ProxyWorld& world, Looks& looks) noexcept;
   bool look_at_part(const ProxyWorld& world, int surface, Looks& looks) noexcept;
-  void note(double lack_m, const Vec3& outwards_W) noexcept;
+  void note(const ProxyWall& wall) noexcept;
   bool is_going_round() const noexcept;
 
   bool is_underway_ = false;
@@ -51,8 +51,7 @@ class ProxyStart {
   Vec3 passed_O_ = Vec3::Constant(std::numeric_limits<double>::infinity());  // a place that it came by
   std::size_t part_ = 0;  // of the world's parts, to be looked at next ...
   PartLook look_;         // ... and how far that has come
-  double lack_m_ = 0;     // what the place lacks of its clearance from the nearest surface so far ...
-  Vec3 outwards_W_ = Vec3::UnitZ();  // ... and which way is out of that
+  ProxyWall worst_;  // of those looked at so far, the one that the place is farthest behind; seen from it
 };
 
 }  // namespace fingerpad

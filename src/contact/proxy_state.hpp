@@ -5,22 +5,29 @@
 
 namespace fingerpad {
 
-/// A step of the proxy and the walls that hold it.
-struct ProxyStep {
-  Vec3 z = Vec3::Zero();       ///< where to, relative to where the proxy stood [m]
-  Vec3 goal_O = Vec3::Zero();  ///< towards which it was made
-  int wall_count = 0;
-  std::array<ProxyWall, 3> walls;   ///< seen from where the proxy stood
-  std::array<double, 3> share_m{};  ///< multiplier of each
-  bool truncated = false;           ///< the step ends where no more is seen, or where it may go no farther
-  bool bent = false;                ///< the step goes on along walls that bend away
-  bool stuck = false;               ///< rounding left no way: z is zero
-  bool broken_off = false;          ///< for want of looks: z is zero, and more walls may come
-
-  std::span<const ProxyWall> held_by() const noexcept {
-    return {walls.data(), static_cast<std::size_t>(wall_count)};
-  }
+/// How a step of the proxy ends.
+enum class StepEnd {
+  whole,       ///< as close to its goal as its walls let it
+  bent,        ///< likewise, having gone on along walls that bend away
+  truncated,   ///< where no more is seen, or where it may go no farther
+  at_rest,     ///< where it is known that no other step leads anywhere
+  stuck,       ///< nowhere: rounding left no way
+  broken_off,  ///< nowhere, for want of looks: more walls may come
 };
+
+/// A step of the proxy, and the walls that hold it where it ends, seen from where it began.
+struct ProxyStep : HoldingWalls {
+  Vec3 from_O = Vec3::Zero();  ///< where the proxy stood ...
+  Vec3 z = Vec3::Zero();       ///< ... and where to, relative to there [m]
+  Vec3 goal_O = Vec3::Zero();  ///< towards which it was made
+  StepEnd end = StepEnd::whole;
+};
+
+inline ProxyStep broken_off_step() noexcept {
+  ProxyStep step;
+  step.end = StepEnd::broken_off;
+  return step;
+}
 
 /// Where the proxy stands against the finger. Of the Contact:
 /// - depth_m is from the finger to the ball without its skin, normal_W the direction of that way, shaded
@@ -31,11 +38,10 @@ struct ProxyStep {
 /// - placed is false where a start found no place for the ball, or is broken off, started is true where it
 /// put it down anew.
 struct ProxyContact : Contact {
-  bool touching = false;        ///< hold_count > 0
-  bool settled = true;          ///< false: the proxy is still on its way to where it is closest to the finger
-  Vec3 proxy_W = Vec3::Zero();  ///< centre of the ball, its skin taken off [m]
-  Vec3 direction_W = Vec3::UnitZ();  ///< unit, from the finger to it
-  int known_holds = 0;               ///< of `holds`, also while nothing is touched: what is gone on with
+  bool settled = true;  ///< false: the proxy is still on its way to where it is closest to the finger
+  Vec3 direction_W = Vec3::UnitZ();  ///< unit, from the finger to the ball
+
+  bool touching() const noexcept { return hold_count > 0; }
 };
 
 /// All that a proxy takes from one tick to the next: where it is, what holds it there, and what it shows.
@@ -45,8 +51,7 @@ struct ProxyState {
   Vec3 place_O = Vec3::Zero();  ///< of the ball's centre, its skin included
   Vec3 goal_O = Vec3::Zero();   ///< where the finger is
 
-  ProxyStep hold;                    ///< the last step, with the walls that stopped it ...
-  Vec3 hold_place_O = Vec3::Zero();  ///< ... and where it was made from
+  ProxyStep hold;  ///< the last step, with the walls that stopped it
 
   ProxyContact contact;
   bool lags = false;  ///< a hop is still on its way to be shown
@@ -58,11 +63,11 @@ struct ProxyState {
   Vec3 last_push_W = Vec3::Zero();        ///< what the tick before it showed: depth times normal [m] ...
   Vec3 last_direction_W = Vec3::UnitZ();  ///< ... and the direction
 
-  /// The wall of the one triangle that holds the proxy, where it rests on one alone, seen from hold_place_O;
+  /// The wall of the one triangle that holds the proxy, where it rests on one alone, seen from hold.from_O;
   /// else null.
   const ProxyWall* one_triangles_wall() const noexcept {
-    const bool is_one = contact.settled && hold.wall_count == 1 && !hold.stuck && hold.walls[0].triangle >= 0;
-    return is_one ? &hold.walls[0] : nullptr;
+    if (!contact.settled || hold.wall_count != 1 || hold.end == StepEnd::stuck) return nullptr;
+    return hold.walls[0].triangle >= 0 ? &hold.walls[0] : nullptr;
   }
 };
 

@@ -23,19 +23,19 @@ TriangleSweep sweep_past_triangle(const TriangleCorners& f, const Vec3& from, co
                                   double worst_m) noexcept {
   const Vec3 way = to - from;
   TriangleSweep sweep;
-  sweep.reached = 0;
+  sweep.free_share = 0;
   FirstApproach here = first;
   for (;;) {
     const double gap_m = here.distance_m - clearance_m, slope = here.towards.dot(way);
-    sweep.end_slack_m = gap_m + (1 - sweep.reached) * slope;
+    sweep.end_slack_m = gap_m + (1 - sweep.free_share) * slope;
     if (sweep.end_slack_m >= -tolerance_m || sweep.end_slack_m > worst_m) {
-      sweep.reached = 1;
+      sweep.free_share = 1;
       return sweep;
     }
     if (gap_m <= tolerance_m) break;
-    sweep.reached += gap_m / -slope;
+    sweep.free_share += gap_m / -slope;
     if (++sweep.steps == ProxyLimits::newton_steps) break;
-    here = FirstApproach(approach_triangle(f, from + sweep.reached * way));
+    here = FirstApproach(approach_triangle(f, from + sweep.free_share * way));
   }
   sweep.blocked = true;
   sweep.normal = here.towards;

@@ -11,7 +11,7 @@ struct TriangleSweep {
                                 ///< clearance, and the way's start is one
   double offset_m = 0;
   double end_slack_m = 0;  ///< normal . to - offset_m, or FacetSide::slack_m where that is more
-  double reached = 1;      ///< share of the way that is free
+  double free_share = 1;   ///< of the way, from its start
   int steps = 0;           ///< of Newton's method
 };
 

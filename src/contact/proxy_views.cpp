@@ -2,15 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-
-#include "contact/proxy_limits.hpp"
 
 namespace fingerpad {
-namespace {
 
 using Limits = ProxyMemoryLimits;
-constexpr double rounded_up = 1 + Limits::rounding, rounded_down = 1 - Limits::rounding;
+
+namespace {
 
 /// How far the finger is off to the side of its last push: what the proxy has to slide, about.
 double aside_m(const ProxyState& s) noexcept {
@@ -19,133 +16,105 @@ double aside_m(const ProxyState& s) noexcept {
   return (way - way.dot(s.last_direction_W) * s.last_direction_W).norm();
 }
 
-int largest_fan(const Part& part) {
-  std::vector<int> fan(static_cast<std::size_t>(part.welded_count), 0);
-  for (int t = 0; t < part.triangle_count(); ++t) {
-    for (int k = 0; k < 3; ++k) ++fan[static_cast<std::size_t>(part.welded(k, t))];
-  }
-  return fan.empty() ? 0 : *std::max_element(fan.begin(), fan.end());
-}
-
 }  // namespace
 
-ProxyViews::ProxyViews(ProxyWorld world, Looks looks) : LimitedSight(std::move(world), looks), near_(world_) {
-  for (const int i : world_.parts()) {
-    usual_view_ =
-        std::max(usual_view_, Limits::beside_fans + Limits::fans_in_view * largest_fan(world_.part(i)));
-  }
-  usual_view_ = std::min(usual_view_, Limits::most_usual_view);
-  seeds_.assign(static_cast<std::size_t>(world_.surface_count()), -1);
+ProxyViews::ProxyViews(ProxyWorld world, Looks looks)
+    : LimitedSight(std::move(world), looks),
+      view_(world_, looks_, at_),
+      likely_(world_, looks_),
+      seeds_(static_cast<std::size_t>(world_.surface_count())) {
+  ProxyViews::forget();
 }
 
 void ProxyViews::forget() noexcept {
   ProxySight::forget();
-  near_.clear();
+  view_.forget();
+  likely_.forget();
   std::fill(seeds_.begin(), seeds_.end(), -1);
-  search_reach_m_ = -1;
-  blockers_ = {};
-  rich_looks_ = 0;
-  is_cut_ = is_rich_ = overflow_ = falls_short_ = is_past_views_ = goes_past_views_ = false;
   short_step_m_ = 0;
   short_step_looks_ = 0;
-  crowded_place_O_ = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
-  ahead_goal_O_ = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
-  ahead_ = {};
-  view_reach_m_ = Limits::first_view * widest_view_m();
+  ProxyViews::let_go();
 }
 
 void ProxyViews::let_go() noexcept {
-  asked_m_ = view_reach_m_;
+  asked_m_ = view_.next_reach_m();
   falls_short_ = goes_past_views_ = false;
 }
 
 ProxyStep ProxyViews::step(const ProxyState& s, const StepTerms& terms) noexcept {
-  if (is_amid_step()) {
-    const ProxyStep step = go_on_with_step();
+  if (making_.is_underway()) {
+    const ProxyStep step = making_.go_on(*this);
     note_blockers(step);
     return step;
   }
   const Vec3 &place_O = s.place_O, &goal_O = s.goal_O;
   if (goes_past_views_ || is_outrun(place_O, std::min(aside_m(s), terms.most_m)))
-    return step_past_views(place_O, goal_O, terms);
+    return step_past_views(s, terms);
   const long before = looks_.spent();
-  if (falls_short_ && near_.count() <= Limits::rich_view) asked_m_ *= Limits::wider_view;
-  asked_m_ = look_around(place_O, asked_m_, falls_short_);
-  if (is_blind()) return broken_off_step();
-  if (place_O_ == search_place_O_) suit_view();
-  if (is_crowded_about(place_O)) return step_past_views(place_O, goal_O, terms);
-  if (overflow_) reach_m_ = (goal_O - place_O).norm() * rounded_up;
-  ProxyStep step = step_towards(goal_O, std::min(reach_m_, terms.most_m * rounded_up), terms.bent_m);
+  if (falls_short_ && !view_.is_rich()) asked_m_ *= Limits::wider_view;
+  asked_m_ = view_.look_around(place_O, asked_m_, falls_short_);
+  if (view_.is_blind()) return broken_off_step();
+  if (at_.place_O == view_.search_place_O()) view_.suit();
+  if (view_.is_crowded_about(place_O)) return step_past_views(s, terms);
+  if (view_.overflows()) at_.reach_m = (goal_O - place_O).norm() * (1 + Limits::rounding);
+  making_.begin(*this, goal_O, std::min(at_.reach_m, terms.most_m * (1 + Limits::rounding)), terms.bent_m);
+  const ProxyStep step = making_.go_on(*this);
   note_blockers(step);
-  falls_short_ = step.truncated && reach_m_ <= terms.most_m;
-  note_short_step(step, looks_.spent() - before);
+  falls_short_ = step.end == StepEnd::truncated && at_.reach_m <= terms.most_m;
+  // A view that was cut to less than `hopeless_share` does not count: the richest view comes next, which
+  // shows more.
+  const bool is_hopeless = view_.is_cut() && at_.reach_m < Limits::hopeless_share * world_.clearance_m();
+  if (falls_short_ && view_.is_rich() && !is_hopeless) {
+    short_step_m_ = step.z.norm();
+    short_step_looks_ = looks_.spent() - before;
+  }
   return step;
 }
 
-ProxyStep ProxyViews::step_over(const Vec3& edge_O, const Vec3& goal_O, const ProxyWall& first,
-                                double rest_m) noexcept {
-  see_from(edge_O, std::min(rest_m, Limits::serves_again * view_reach_m_), std::max(view_reach_m_, rest_m),
-           Vec3::Zero());
-  if (is_blind() || overflow_) return broken_off_step();
-  return step_beside(first, goal_O);
+/// A step that the trees are asked for along its whole way, as the plain sight does; but it begins with the
+/// walls that likely hold it.
+ProxyStep ProxyViews::step_past_views(const ProxyState& s, const StepTerms& terms) noexcept {
+  const double way_m = std::min((s.goal_O - s.place_O).norm(), terms.most_m);
+  likely_.find(s.place_O, s.goal_O, way_m, view_.blockers());
+  if (looks_.are_spent()) return broken_off_step();
+  at_ = {s.place_O, way_m * (1 + Limits::rounding)};
+  view_.leave();
+  goes_past_views_ = true;
+  falls_short_ = false;
+  // Walls bend for a step that ends at those where it began.
+  making_.begin(*this, s.goal_O, at_.reach_m, likely_.has_one_ahead() ? 0 : terms.bent_m);
+  for (const ProxyWall& wall : likely_.found()) making_.guess(wall);
+  const ProxyStep step = making_.go_on(*this);
+  note_blockers(step);
+  return step;
 }
 
-bool ProxyViews::is_seen_free(const Vec3& over, const ProxyWall& here) noexcept {
-  return !overflow_ && reach_m_ >= over.norm() && is_free(over, std::span(&here, 1));
+/// Of a step that was broken off some walls may be missing: it stays where those of before hold it.
+void ProxyViews::note_blockers(const ProxyStep& step) noexcept {
+  if (step.wall_count > 0 && step.end != StepEnd::broken_off) view_.note_blockers(step.held_by());
 }
 
-void ProxyViews::look_over_edge(const Vec3& place_O, const Vec3& over, const Vec3& far) noexcept {
-  const double way_m = over.norm(), far_m = far.norm(), need_m = Limits::past_edge * std::max(far_m, way_m);
-  const double reach_m = view_reach_m_, both_m = way_m + (far - over).norm();
-  if (need_m < (1 - Limits::lead) * reach_m) {
-    look_ahead(place_O, need_m, Limits::lead * reach_m / far_m * far);
-  } else if (!look_again(place_O, both_m * rounded_up)) {
-    // What the step from the edge will ask for, too.
-    search_around(place_O, std::max(reach_m, both_m + Limits::serves_again * reach_m));
-    suit_view();
-  }
+bool ProxyViews::is_outrun(const Vec3& place_O, double way_m) const noexcept {
+  return view_.is_crowded_about(place_O) || Limits::eager * way_m * static_cast<double>(short_step_looks_) >
+                                                short_step_m_ * static_cast<double>(looks_.left());
 }
 
-bool ProxyViews::look_again(const Vec3& place_O, double need_m) noexcept {
-  const double left_m = search_reach_m_ - (place_O - search_place_O_).norm() * rounded_up;
-  if (overflow_ || !(left_m >= need_m)) return false;
-  is_past_views_ = false;
-  place_O_ = place_O;
-  reach_m_ = left_m;
-  near_.look_from(world_, place_O);
-  return true;
+ProxyStep ProxyViews::look_and_step_from_edge(const WayOver& way) noexcept {
+  const double rest_m = (way.far - way.edge).norm(), reach_m = view_.next_reach_m();
+  view_.see_from(way.place_O + way.edge, std::min(rest_m, Limits::serves_again * reach_m),
+                 std::max(reach_m, rest_m), Vec3::Zero());
+  if (view_.is_blind() || view_.overflows()) return broken_off_step();
+  return step_from_edge(way);
 }
 
-/// Looks at everything within `reach_m`, or, where that is too much, within less; returns how far. What the
-/// last search found serves again as long as it shows half as far.
-double ProxyViews::look_around(const Vec3& place_O, double reach_m, bool anew) noexcept {
-  if (anew || !look_again(place_O, Limits::serves_again * reach_m)) search_around(place_O, reach_m);
-  return std::max(reach_m_, 0.0);
-}
-
-void ProxyViews::look_ahead(const Vec3& place_O, double need_m, const Vec3& ahead) noexcept {
-  if (see_from(place_O, need_m, view_reach_m_, ahead)) suit_view();
-}
-
-/// Sees to a view that shows as far as `need_m`; true where the trees were searched for it.
-bool ProxyViews::see_from(const Vec3& place_O, double need_m, double reach_m, const Vec3& ahead) noexcept {
-  if (look_again(place_O, need_m)) return false;
-  search_around(place_O + ahead, reach_m);
-  if (!look_again(place_O, need_m)) search_around(place_O, reach_m);  // cut short there
-  return true;
+bool ProxyViews::is_seen_free(const WayOver& way) noexcept {
+  return !view_.overflows() && at_.reach_m >= way.edge.norm() && is_free(way.edge, way.walls.here);
 }
 
 bool ProxyViews::offer_part(int surface, const Vec3& z, std::span<const ProxyWall> walls,
                             LookRound& round) noexcept {
-  if (overflow_ || is_past_views_) return LimitedSight::offer_part(surface, z, walls, round);
-  return near_.offer(world_, surface, z, walls, round.next, round.worst, looks_);
-}
-
-double ProxyViews::room_in_front_of(std::span<const ProxyWall> walls, const Vec3& centre_O) noexcept {
-  if (overflow_ || looks_.left() < near_.count()) return 0;
-  looks_.spend(near_.count());
-  const double most_m = search_reach_m_ - (centre_O - search_place_O_).norm() * rounded_up;
-  return std::max(0.0, near_.room_m(world_, walls, centre_O, most_m, looks_));
+  if (view_.overflows() || view_.is_left()) return LimitedSight::offer_part(surface, z, walls, round);
+  return view_.offer(surface, z, walls, round);
 }
 
 double ProxyViews::room_m(const Vec3& place_O, double least_m, double enough_m) noexcept {
@@ -153,7 +122,8 @@ double ProxyViews::room_m(const Vec3& place_O, double least_m, double enough_m) 
   for (const int i : world_.parts()) {
     const TriangleTree& tree = *world_.surface(i).tree;
     const Vec3 q_P = world_.in_part(i, place_O);
-    const double to_box_m = (q_P.cwiseAbs() - tree.part().half_extent).cwiseMax(0.0).norm() * rounded_down;
+    const double to_box_m =
+        (q_P.cwiseAbs() - tree.part().half_extent).cwiseMax(0.0).norm() * (1 - Limits::rounding);
     if (to_box_m - world_.clearance_m() >= room_m) continue;
     if (to_box_m > Limits::far_from_box * tree.part().size_m()) {
       room_m = std::min(room_m, to_box_m - world_.clearance_m());

@@ -1,5 +1,6 @@
 #include "contact/proxy_wall.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -12,7 +13,7 @@ namespace {
 struct Choice {
   int count;
   std::array<int, 3> walls;
-  int end;  ///< beyond the last of them
+  std::size_t end;  ///< beyond the last of them
 };
 /// Fewer walls first, so that one that adds nothing is not named.
 constexpr Choice choices[] = {{0, {}, 0},        {1, {0}, 1},       {1, {1}, 2},      {1, {2}, 3},
@@ -37,6 +38,23 @@ std::optional<std::array<double, 3>> shares_m(const Choice& choice, std::span<co
 
 }  // namespace
 
+WallsTogether::WallsTogether(const std::array<Vec3, 3>& normals, int count) noexcept : count_(count) {
+  const Vec3 &a = normals[0], &b = normals[1], &c = normals[2];
+  if (count == 2) {
+    const double sine2 = a.cross(b).squaredNorm(), cosine = a.dot(b);
+    fix_shares_ = sine2 > ProxyLimits::parallel2;
+    turn_ = cosine < 0 ? -1 : 1;
+    common_ = 1 / (1 + turn_ * cosine);
+    per_sine2_ = 1 / sine2;
+  }
+  if (count == 3) {
+    const Vec3 bc = b.cross(c);
+    const double volume = a.dot(bc);
+    fix_shares_ = std::abs(volume) > ProxyLimits::flat_volume;
+    dual_ = {bc / volume, c.cross(a) / volume, a.cross(b) / volume};
+  }
+}
+
 std::optional<Vec3> on_both_walls(const Vec3& near, const ProxyWall& a, const ProxyWall& b) noexcept {
   const WallsTogether together({a.normal, b.normal, Vec3::Zero()}, 2);
   if (!together.fix_shares()) return std::nullopt;
@@ -48,37 +66,44 @@ ProxyProjection project_onto_walls(const Vec3& goal, std::span<const ProxyWall> 
                                    double tolerance_m) noexcept {
   ProxyProjection best;
   double best_distance_m = 0;
-  const int count = static_cast<int>(std::min<std::size_t>(walls.size(), 4));
   std::array<double, 4> lack_m{};
-  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) lack_m[i] = walls[i].lack_m(goal);
+  for (std::size_t i = 0; i < walls.size(); ++i) lack_m[i] = walls[i].lack_m(goal);
   for (const Choice& choice : choices) {
-    if (choice.end > count) continue;
+    if (choice.end > walls.size()) continue;
     const auto share_m = shares_m(choice, walls, lack_m);
     if (!share_m) continue;
     Vec3 z = goal;
     for (std::size_t i = 0; i < static_cast<std::size_t>(choice.count); ++i)
       z += (*share_m)[i] * walls[static_cast<std::size_t>(choice.walls[i])].normal;
-    const bool is_free = std::all_of(walls.begin(), walls.begin() + count, [&](const ProxyWall& wall) {
+    const bool is_free = std::all_of(walls.begin(), walls.end(), [&](const ProxyWall& wall) {
       return wall.normal.dot(z) >= wall.least_m - tolerance_m;
     });
     if (!is_free) continue;
     const double distance_m = (z - goal).norm();
     if (best.found && !(distance_m < best_distance_m * (1 - ProxyLimits::reach_rounding))) continue;
-    best = {true, z, choice.count, choice.walls, *share_m};
-    for (double& share : best.share_m) share = std::max(0.0, share);
+    best.found = true;
+    best.z = z;
+    best.wall_count = choice.count;
+    for (std::size_t i = 0; i < best.held_by().size(); ++i) {
+      best.walls[i] = walls[static_cast<std::size_t>(choice.walls[i])];
+      best.share_m[i] = std::max(0.0, (*share_m)[i]);
+    }
     best_distance_m = distance_m;
     if (choice.count == 0) break;  // nothing is nearer to the goal than itself
   }
   return best;
 }
 
-ProxyProjection ActiveWalls::project(const Vec3& goal, double tolerance_m) noexcept {
-  const ProxyProjection p = project_onto_walls(goal, all(), tolerance_m);
-  if (!p.found) return p;
-  count_ = static_cast<std::size_t>(p.active_count);
-  // They are named in rising order.
-  for (std::size_t k = 0; k < count_; ++k) walls_[k] = walls_[static_cast<std::size_t>(p.active[k])];
-  return p;
+std::optional<Vec3> HoldingWalls::project(const Vec3& goal, const std::optional<ProxyWall>& more,
+                                          double tolerance_m) noexcept {
+  std::array<ProxyWall, 4> all;
+  std::size_t count = held_by().size();
+  std::copy(held_by().begin(), held_by().end(), all.begin());
+  if (more) all[count++] = *more;
+  const ProxyProjection p = project_onto_walls(goal, std::span(all.data(), count), tolerance_m);
+  if (!p.found) return std::nullopt;
+  *this = p;
+  return p.z;
 }
 
 }  // namespace fingerpad

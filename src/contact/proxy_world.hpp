@@ -74,6 +74,10 @@ class ProxyWorld {
   /// The half space that a triangle leaves free of a ball at `from`: the way to there from its closest point
   /// is the wall's normal. Seen from a place.
   ProxyWall tangent_wall(int surface, int triangle, const Vec3& from_O, const Vec3& place_O) const noexcept;
+  /// The same of a ball at the place itself.
+  ProxyWall wall_at(int surface, int triangle, const Vec3& place_O) const noexcept {
+    return tangent_wall(surface, triangle, place_O, place_O);
+  }
 
  private:
   bool is_upright(int surface) const noexcept { return is_upright_[static_cast<std::size_t>(surface)] != 0; }

@@ -30,9 +30,7 @@ void show_part_of_hop(const Vec3& shaded_W, double most_m, ProxyState& state) no
   contact.normal_W = normal_towards(shaded_W, most_m, state);
   // A hop that had to wait can bring the proxy nearer by more than may be shown at once.
   const double held_back_m = state.last_push_W.norm() - most_m - contact.depth_m;
-  if (!(held_back_m > 0)) return;
-  contact.depth_m += held_back_m;
-  contact.proxy_W += held_back_m * contact.direction_W;
+  contact.depth_m += std::max(0.0, held_back_m);
 }
 
 /// Shows as much of a turn that jumps as a tick may.
@@ -52,7 +50,7 @@ void show_part_of_turn(const Vec3& shaded_W, double step2_m2, double most_m, Pro
 
 }  // namespace
 
-void show_normal(const ProxyWorld& world, const Vec3& shaded_W, ProxyState& state) noexcept {
+void show_push(const ProxyWorld& world, const Vec3& shaded_W, ProxyState& state) noexcept {
   state.contact.normal_W = shaded_W;
   const bool after_hop = state.hopped || state.lags;
   state.lags = false;
@@ -60,7 +58,8 @@ void show_normal(const ProxyWorld& world, const Vec3& shaded_W, ProxyState& stat
   const double depth_m = state.contact.depth_m;
   const double step2_m2 = (depth_m * shaded_W - state.last_push_W).squaredNorm();
   if (step2_m2 <= state.finger_m * state.finger_m) return;
-  const double most_m = most_step_m(state) + (after_hop ? ProxyLimits::unfelt_share * depth_m : 0.0);
+  const double most_m =
+      most_step_m(state, state.last_push_W.norm()) + (after_hop ? ProxyLimits::unfelt_share * depth_m : 0.0);
   if (step2_m2 <= most_m * most_m) return;
   if (after_hop) {
     show_part_of_hop(shaded_W, most_m, state);

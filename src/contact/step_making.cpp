@@ -17,11 +17,13 @@ void StepMaking::begin(const ProxySight& sight, const Vec3& goal_O, double most_
                             sight.world().plane_rounding_m(sight.place_O(), goal_O);
   slack_m_ = sight.world().slack_m() + rounding_m;
   breach_m_ = sight.world().tolerance_m() + ProxyLimits::breach_roundings * rounding_m;
-  walls_.clear();
   step_ = {};
+  step_.from_O = sight.place_O();
   step_.goal_O = goal_O;
   pass_ = 0;
-  is_amid_round_ = is_guessed_ = has_let_go_ = false;
+  round_ = LookRound(breach_m_);
+  is_amid_round_ = is_guessed_ = false;
+  held_.reset();
 }
 
 ProxyStep StepMaking::go_on(ProxySight& sight) noexcept {
@@ -32,26 +34,24 @@ ProxyStep StepMaking::go_on(ProxySight& sight) noexcept {
     }
     is_amid_round_ = !sight.offer_all(step_.z, step_.held_by(), round_);
     if (is_amid_round_) return waiting();
-    if (round_.worst.wall) {
-      walls_.add(*round_.worst.wall);
-    } else if (!let_go_of_far_walls(sight)) {
-      return unblocked(sight);
-    }
+    if (round_.worst.wall || let_go_of_far_walls(sight)) continue;
+    if (held_ && leads_nowhere(sight)) step_ = *held_;
+    go_on_along_bend(sight);
+    return step_;
   }
   return stuck();
 }
 
-/// The projection onto the walls found so far, as far as it may go. False where they leave nothing.
+/// The projection onto the walls found so far and the last round's, as far as it may go. False where they
+/// leave nothing.
 bool StepMaking::project(ProxySight& sight) noexcept {
   sight.looks().spend(LookCosts::projection);
-  const ProxyProjection p = walls_.project(goal_, slack_m_);
-  if (!p.found) return false;
-  step_.wall_count = p.active_count;
-  step_.share_m = p.share_m;
-  std::copy(walls_.all().begin(), walls_.all().end(), step_.walls.begin());
-  const double length_m = p.z.norm();
-  step_.truncated = length_m > most_m_;
-  step_.z = step_.truncated ? Vec3(p.z * (most_m_ / length_m)) : p.z;
+  const std::optional<Vec3> z = step_.project(goal_, round_.worst.wall, slack_m_);
+  if (!z) return false;
+  const double length_m = z->norm();
+  const bool is_too_long = length_m > most_m_;
+  step_.end = is_too_long ? StepEnd::truncated : StepEnd::whole;
+  step_.z = is_too_long ? Vec3(*z * (most_m_ / length_m)) : *z;
   return true;
 }
 
@@ -65,34 +65,26 @@ bool StepMaking::leads_nowhere(const ProxySight& sight) const noexcept {
 /// it is not; where that leads nowhere either, all hold as before. Where it is far from all, and some were
 /// guessed, the step begins anew without them. False where there is nothing to let go.
 bool StepMaking::let_go_of_far_walls(ProxySight& sight) noexcept {
-  const std::size_t count = walls_.all().size();
-  if (has_let_go_ || count < (is_guessed_ ? 1 : 2) || !leads_nowhere(sight)) return false;
-  sight.looks().spend(LookCosts::told * static_cast<long>(count));
-  const auto is_far = [&](const ProxyWall& wall) { return sight.world().is_far_from(wall, sight.place_O()); };
-  const auto far = static_cast<std::size_t>(std::count_if(walls_.all().begin(), walls_.all().end(), is_far));
-  const std::size_t touched = count - far;
-  if (touched == count || (touched == 0 && !is_guessed_)) return false;
-  walls_.drop_if(is_far);
-  if (touched > 0) {
-    held_ = step_;
-    has_let_go_ = true;
-  }
+  const int count = step_.wall_count;
+  if (held_ || count < (is_guessed_ ? 1 : 2) || !leads_nowhere(sight)) return false;
+  sight.looks().spend(LookCosts::told * count);
+  ProxyStep touched = step_;
+  const auto is_far = [&](const ProxyWall& wall) { return sight.world().is_far_from(wall, step_.from_O); };
+  touched.wall_count = static_cast<int>(
+      std::remove_copy_if(step_.held_by().begin(), step_.held_by().end(), touched.walls.begin(), is_far) -
+      touched.walls.begin());
+  if (touched.wall_count == count || (touched.wall_count == 0 && !is_guessed_)) return false;
+  if (touched.wall_count > 0) held_ = step_;
+  step_ = touched;
   is_guessed_ = false;
   return true;
 }
 
-/// Nothing blocks the way.
-ProxyStep StepMaking::unblocked(ProxySight& sight) noexcept {
-  if (has_let_go_ && leads_nowhere(sight)) step_ = held_;
-  go_on_along_bend(sight);
-  return step_;
-}
-
 /// Where walls bend away the step goes on along them, if that is free, no farther than was asked for.
 void StepMaking::go_on_along_bend(ProxySight& sight) noexcept {
-  if (!(bent_m_ > 0) || step_.truncated || step_.wall_count == 0) return;
+  if (!(bent_m_ > 0) || step_.end != StepEnd::whole || step_.wall_count == 0) return;
   sight.looks().spend(LookCosts::told * step_.wall_count);
-  const Vec3 on = way_along_bend(sight.world(), sight.place_O(), step_);
+  const Vec3 on = way_along_bend(sight.world(), step_);
   const double on_m = on.norm(), room_m = std::min(bent_m_, most_m_) - step_.z.norm();
   if (!(on_m > 0 && room_m > 0)) return;
   const Vec3 z = step_.z + std::min(1.0, room_m / on_m) * on;
@@ -100,12 +92,12 @@ void StepMaking::go_on_along_bend(ProxySight& sight) noexcept {
   LookRound round(breach_m_);
   if (!sight.offer_all(z, step_.held_by(), round) || round.worst.wall) return;
   step_.z = z;
-  step_.bent = on_m <= room_m;
+  if (on_m <= room_m) step_.end = StepEnd::bent;
 }
 
 /// Rounding has left the walls nothing in common, or brings up ever others: it goes nowhere.
 ProxyStep StepMaking::stuck() noexcept {
-  step_.stuck = true;
+  step_.end = StepEnd::stuck;
   step_.z.setZero();
   return step_;
 }
@@ -114,7 +106,7 @@ ProxyStep StepMaking::stuck() noexcept {
 ProxyStep StepMaking::waiting() const noexcept {
   ProxyStep so_far = step_;
   so_far.z.setZero();
-  so_far.stuck = so_far.broken_off = true;
+  so_far.end = StepEnd::broken_off;
   if (so_far.wall_count == 0 && round_.worst.wall) {
     // Whatever else blocks, this does.
     so_far.wall_count = 1;

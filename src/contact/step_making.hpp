@@ -26,10 +26,13 @@ class StepMaking {
   /// @param bent_m  how far it may go where it goes on along walls that bend
   void begin(const ProxySight& sight, const Vec3& goal_O, double most_m, double bent_m) noexcept;
   /// A wall to begin with, seen from there.
-  void add(const ProxyWall& wall) noexcept { walls_.add(wall); }
+  /// @pre fewer than three
+  void add(const ProxyWall& wall) noexcept {
+    step_.walls[static_cast<std::size_t>(step_.wall_count++)] = wall;
+  }
   /// The same of a wall that likely holds: let go where the step leads nowhere and the ball is far from it.
   void guess(const ProxyWall& wall) noexcept {
-    walls_.add(wall);
+    add(wall);
     is_guessed_ = true;
   }
   /// To its end, or to where the looks are spent.
@@ -43,20 +46,17 @@ class StepMaking {
   void go_on_along_bend(ProxySight& sight) noexcept;
   bool leads_nowhere(const ProxySight& sight) const noexcept;
   bool let_go_of_far_walls(ProxySight& sight) noexcept;
-  ProxyStep unblocked(ProxySight& sight) noexcept;
   ProxyStep stuck() noexcept;
   ProxyStep waiting() const noexcept;
 
   Vec3 goal_ = Vec3::Zero();  ///< relative to the place looked around from
   double slack_m_ = 0, breach_m_ = 0, most_m_ = 0, bent_m_ = 0;
-  ActiveWalls walls_;
-  ProxyStep step_;  ///< the way to the projection onto them
+  ProxyStep step_;  ///< the way to the projection onto the walls found so far
   int pass_ = 0;    ///< in each a wall is added
   LookRound round_{0};
   bool is_amid_round_ = false;
-  bool is_guessed_ = false;  ///< walls may be among them that were guessed
-  bool has_let_go_ = false;  ///< far walls were let go ...
-  ProxyStep held_;           ///< ... and what the step was before
+  bool is_guessed_ = false;        ///< walls may be among them that were guessed
+  std::optional<ProxyStep> held_;  ///< what the step was before far walls were let go
 };
 
 }  // namespace fingerpad

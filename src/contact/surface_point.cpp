@@ -5,7 +5,7 @@
 
 #include "contact/closest_memory.hpp"
 #include "contact/facet_rule.hpp"
-#include "contact/triangle_approach.hpp"
+#include "contact/facet_view.hpp"
 #include "contact/triangle_tree.hpp"
 
 namespace fingerpad {

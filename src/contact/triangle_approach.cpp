@@ -1,9 +1,7 @@
 #include "contact/triangle_approach.hpp"
 
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <array>
 #include <cmath>
+#include <limits>
 
 namespace fingerpad {
 namespace {
@@ -58,13 +56,8 @@ EdgeFoot nearest_edge_foot(const TriangleCorners& f, const FaceShares& shares, c
 
 }  // namespace
 
-int FacetView::edge_farthest_behind() const noexcept {
-  const std::array<double, 3> of_edge{shares.c, shares.a, shares.b};
-  return static_cast<int>(std::min_element(of_edge.begin(), of_edge.end()) - of_edge.begin());
-}
-
-Feature FacetView::nearest_feature() const noexcept {
-  return shares.are_of_face() ? Feature::face : on_edge(nearest_edge_foot(facet, shares, q)).feature;
+Feature nearest_feature(const TriangleCorners& f, const FaceShares& shares, const Vec3& q) noexcept {
+  return shares.are_of_face() ? Feature::face : on_edge(nearest_edge_foot(f, shares, q)).feature;
 }
 
 bool has_face(const TriangleCorners& f) noexcept {

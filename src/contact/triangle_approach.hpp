@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <algorithm>
 
 #include "contact/closest_point.hpp"
 #include "contact/proxy_limits.hpp"
@@ -55,32 +54,8 @@ struct FaceShares {
   }
 };
 
-/// A facet seen from a point, reckoned once for all that is asked of it.
-struct FacetView {
-  TriangleCorners facet;
-  Vec3 q;
-  FaceShares shares;
-
-  FacetView(const Part& part, int t, const Vec3& from) noexcept
-      : facet(corners_of(part, t)), q(from), shares(facet, from) {}
-
-  /// Whether the closest point of the facet, as approach_triangle finds it, is on its face.
-  /// @param foot  that point, written where it is
-  bool find_foot(Vec3& foot) const noexcept {
-    if (!shares.are_of_face()) return false;
-    foot = q - facet.normal.dot(q - facet.a) * facet.normal;
-    return true;
-  }
-  /// The feature that approach_triangle finds the closest point on.
-  Feature nearest_feature() const noexcept;
-  /// The edge, as Part::neighbours counts them, beyond which a place beside the facet lies: of two that
-  /// with the larger triangle between.
-  int edge_farthest_behind() const noexcept;
-  /// Whether the point is beside the face by more than `off_m` [m], whatever that loses in rounding.
-  bool is_surely_beside(double off_m) const noexcept {
-    const double least = std::min({shares.a, shares.b, shares.c});
-    return least < 0 && least * least > off_m * off_m * shares.sides2_m2;
-  }
-};
+/// The feature that approach_triangle finds the closest point on.
+/// @param shares  of q
+Feature nearest_feature(const TriangleCorners& triangle, const FaceShares& shares, const Vec3& q) noexcept;
 
 }  // namespace fingerpad

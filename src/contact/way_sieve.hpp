@@ -22,6 +22,11 @@ inline bool is_cleared_by_facet(const ProxyWorld& world, const PartWay& way, con
                        tolerance_m);
 }
 
+/// What it costs to hold something against all walls, more than against one.
+inline long looks_at_further_walls(const PartWalls& before) noexcept {
+  return LookCosts::further_wall * std::max(0L, static_cast<long>(before.walls().size()) - 1);
+}
+
 /// Leaves out those packets of a part of which no triangle can be a worse wall to a ball's way than the worst
 /// so far, or stands before the walls that the ball stays in front of anyway.
 ///
@@ -56,7 +61,7 @@ class WaySieve {
             [](const void* sieve, const TrianglePacket& packet, double scaled_m) noexcept {
               return static_cast<const WaySieve*>(sieve)->leaves_out(packet, scaled_m);
             },
-            this, before_.looks_at_further_walls()};
+            this, looks_at_further_walls(before_)};
   }
 
   /// @param scaled_m  PacketSieve's

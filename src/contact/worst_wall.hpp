@@ -38,10 +38,6 @@ class PartWalls {
     });
   }
   std::span<const Wall> walls() const noexcept { return {walls_.data(), count_}; }
-  /// What it costs to hold something against all of them, more than against one.
-  long looks_at_further_walls() const noexcept {
-    return count_ > 1 ? LookCosts::further_wall * static_cast<long>(count_ - 1) : 0;
-  }
 
  private:
   static constexpr std::size_t most_walls = 3;

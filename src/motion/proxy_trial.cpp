@@ -15,7 +15,7 @@ bool presses_deeper(const TriangleTree& tree, const FingerPath& path, double rad
   Proxy proxy = fast_proxy({surface}, radius_m, Normals::facet);
   for (long k = 0; k < path.tick_count(); ++k) {
     const ProxyContact& contact = proxy.move(path.at(k).p_WQ, 1 / path.rate_hz());
-    if (contact.touching && contact.depth_m > limit_m) return true;
+    if (contact.touching() && contact.depth_m > limit_m) return true;
   }
   return false;
 }

@@ -63,12 +63,12 @@ bool PopThroughs::is_guide_held_back(const Vec3& to_W) noexcept {
   guide_->reset();
   const Vec3 from_W = last_.p_WQ;
   // A finger that was inside all along is not outside after all.
-  if (guide_->move(from_W, guide_step_s).touching) return true;
+  if (guide_->move(from_W, guide_step_s).touching()) return true;
   for (int k = 1; k < guide_steps; ++k)
     guide_->move(from_W + (to_W - from_W) * (static_cast<double>(k) / guide_steps), guide_step_s);
   for (int k = 0; k < guide_steps; ++k) {
     const ProxyContact& end = guide_->move(to_W, guide_step_s);
-    if (!end.touching || end.settled) return end.touching;
+    if (!end.touching() || end.settled) return end.touching();
   }
   return true;
 }

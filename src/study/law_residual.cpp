@@ -173,7 +173,7 @@ ResidualPart& ResidualPart::operator+=(const ResidualPart& other) noexcept {
   return *this;
 }
 
-std::vector<Vec2> ratio_at_load(const MeasuredTrial& trial, const LoadLaw& load) {
+std::vector<Vec2> ratio_at_load(const MeasuredTrial& trial, const MuLoadLaw& load) {
   std::vector<Vec2> ratio = trial.force_ratio;
   if (load.exponent == 0) return ratio;
   for (std::size_t i = 0; i < ratio.size(); ++i)

@@ -37,6 +37,6 @@ TrialResidual trial_residual(const MeasuredTrial& trial, const StickSegments& se
                              const TrialEvidence& evidence, const LawSpring& spring);
 
 /// The force ratios of a trial as they would be at the law's load.
-std::vector<Vec2> ratio_at_load(const MeasuredTrial& trial, const LoadLaw& load);
+std::vector<Vec2> ratio_at_load(const MeasuredTrial& trial, const MuLoadLaw& load);
 
 }  // namespace fingerpad

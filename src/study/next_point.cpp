@@ -9,7 +9,7 @@
 #include "study/axes_exponent.hpp"
 #include "study/axis_numbers.hpp"
 #include "study/hidden_stick.hpp"
-#include "study/load_exponent.hpp"
+#include "study/mu_load_exponent.hpp"
 #include "study/press_fit.hpp"
 #include "study/rupture_sums.hpp"
 #include "study/static_friction.hpp"
@@ -40,7 +40,7 @@ FitPoint next_point(const std::vector<TrialEvidence>& trials, const FitPoint& po
   if (const auto log_load = mean_log_load(trials))
     next.evidence.load.load_n = std::stod(rounded_text(std::exp(*log_load), 3));
   next.trial_scatter = trial_scatter(trials);
-  const PadValue exponent = load_exponent(trials, once, point.evidence.load.exponent, next.trial_scatter);
+  const PadValue exponent = mu_load_exponent(trials, once, point.evidence.load.exponent, next.trial_scatter);
   if (exponent.refusal.empty()) next.evidence.load.exponent = exponent.value;
   const auto axes =
       point.takes_axes_exponent ? axes_exponent(trials, point.evidence.axes_exponent) : std::nullopt;

@@ -10,7 +10,7 @@
 #include "study/axis_numbers.hpp"
 #include "study/hidden_stick.hpp"
 #include "study/impossible_numbers.hpp"
-#include "study/load_exponent.hpp"
+#include "study/mu_load_exponent.hpp"
 #include "study/press_fit.hpp"
 #include "study/static_friction.hpp"
 #include "study/subjects_mean.hpp"
@@ -73,7 +73,7 @@ PadValues pad_numbers(const std::vector<TrialEvidence>& trials, const std::vecto
     for (const PadNumber number : {PadNumber::mu_static, PadNumber::mu_dynamic})
       at(number).refuse(RefusalReason::contradiction, "mu_static comes out below mu_dynamic");
   at(PadNumber::mu_load_exponent) =
-      load_exponent(trials, times, point.evidence.load.exponent, point.trial_scatter);
+      mu_load_exponent(trials, times, point.evidence.load.exponent, point.trial_scatter);
   if (point.has_unseen_slip)
     at(PadNumber::mu_load_exponent)
         .refuse(RefusalReason::unseen_slip,

@@ -102,12 +102,12 @@ struct FitPoint {
   EvidencePoint evidence;
   bool takes_axes_exponent = true;         ///< FitSettings'
   std::optional<VibrationPeak> vibration;  ///< where a draw's own peak is looked for
-  double trial_scatter = 0;                ///< of the trials' friction; see load_exponent
+  double trial_scatter = 0;                ///< of the trials' friction; see mu_load_exponent
   std::optional<SpeedStep> slow_slip;      ///< where slip's friction rises as it slows
   bool has_unseen_slip = false;            ///< what passes for slip may be teeth (unseen_slip_words)
   bool pairs_friction = false;             ///< trials are unlike one another (static_friction)
   bool contradicts_law = false;            ///< mu_static comes out below mu_dynamic
-  LoadLaw load_of_slip;                    ///< what evidence.load is where it is not
+  MuLoadLaw load_of_slip;                  ///< what evidence.load is where it is not
   /// A step of friction over the speed of slip once left no slip above it: it was none, such as one that a
   /// load which is not taken out yet makes.
   bool distrusts_step = false;

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "study/position_parabola.hpp"
-#include "study/spring_sums.hpp"
+#include "study/spring_way.hpp"
 
 namespace fingerpad {
 namespace {

@@ -1,6 +1,6 @@
-#include <cmath>
+#include "study/spring_way.hpp"
 
-#include "study/spring_sums.hpp"
+#include <cmath>
 
 namespace fingerpad {
 

@@ -5,7 +5,7 @@
 #include "study/phase_stretch.hpp"
 #include "study/position_parabola.hpp"
 #include "study/slip_sums.hpp"
-#include "study/spring_sums.hpp"
+#include "study/spring_way.hpp"
 
 namespace fingerpad {
 namespace {

@@ -9,6 +9,7 @@
 #include "study/sample_noise.hpp"
 #include "study/slip_sums.hpp"
 #include "study/spring_sums.hpp"
+#include "study/spring_way.hpp"
 
 namespace fingerpad {
 namespace {

@@ -11,7 +11,7 @@ namespace fingerpad {
 
 /// How friction changes with the load: mu(n) = mu (n/load_n)^exponent. Force ratios are taken to what they
 /// would be at load_n.
-struct LoadLaw {
+struct MuLoadLaw {
   double load_n = 1, exponent = 0;
 };
 
@@ -117,7 +117,7 @@ struct OwnFriction {
 
 /// What the last pass over the trials has told, that sums are taken about.
 struct EvidencePoint {
-  LoadLaw load;
+  MuLoadLaw load;
   double axes_exponent = 0;      ///< of the stick axes over the load, which springs are taken to load_n by
   double press_exponent = 0.5;   ///< w of depth ~ n^w
   std::vector<OwnFriction> own;  ///< each subject's; of others it is not known yet

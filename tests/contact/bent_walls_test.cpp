@@ -40,10 +40,10 @@ TEST(BentWalls, OverACornerOneStepEndsOnTheLineThroughTheFinger) {
   const Vec3 place = on(sight, corner, Vec3(1, 1.2, 0.9)), goal = corner + 1e-3 * Vec3(1, 0.9, 1.1);
   const ProxyStep flat = step_from(sight, place, goal, {unbounded});
   ASSERT_EQ(flat.wall_count, 1);
-  EXPECT_FALSE(flat.bent);
+  EXPECT_NE(flat.end, StepEnd::bent);
   EXPECT_GT(off_line(place + flat.z, corner, goal), 0.03);
   const ProxyStep bent = step_from(sight, place, goal, {unbounded, unbounded});
-  EXPECT_TRUE(bent.bent);
+  EXPECT_EQ(bent.end, StepEnd::bent);
   // Rounding, of a share of two thirds.
   EXPECT_LT(off_line(place + bent.z, corner, goal), 1e-9);
   EXPECT_NEAR(bent.walls[0].normal.dot(bent.z - flat.z), 0, 1e-15) << "it goes on within the plane";
@@ -54,7 +54,7 @@ TEST(BentWalls, AnEdgeBendsAcrossAndAFaceNowhere) {
   const Vec3 edge(0, 0.01, 0.01);
   const Vec3 place = on(sight, edge, Vec3(0, 1, 0.7)), goal = edge + Vec3(4e-4, 1e-3, 1.1e-3);
   const ProxyStep step = step_from(sight, place, goal, {unbounded, unbounded});
-  EXPECT_TRUE(step.bent);
+  EXPECT_EQ(step.end, StepEnd::bent);
   const Vec3 foot(step.z.x(), edge.y(), edge.z());
   EXPECT_NEAR(step.z.x(), 4e-4, 1e-12) << "along the edge as if it were flat";
   EXPECT_LT(off_line(place + step.z, foot, Vec3(step.z.x(), goal.y(), goal.z())), 1e-9);
@@ -62,8 +62,8 @@ TEST(BentWalls, AnEdgeBendsAcrossAndAFaceNowhere) {
   const Vec3 over = on(sight, Vec3(0, 0, 0.01), Vec3::UnitZ());
   const ProxyStep slide = step_from(sight, over, Vec3(1e-3, 2e-3, 0.011), {unbounded, unbounded});
   ASSERT_EQ(slide.wall_count, 1);
-  EXPECT_FALSE(slide.bent);
-  EXPECT_EQ(way_along_bend(sight.world(), over, slide), Vec3::Zero());
+  EXPECT_NE(slide.end, StepEnd::bent);
+  EXPECT_EQ(way_along_bend(sight.world(), slide), Vec3::Zero());
 }
 
 /// Two boxes whose corners a ball can lie on at once, in a gap of half its size.
@@ -106,7 +106,7 @@ TEST(BentWalls, NoStepLeadsAwayFromTheFinger) {
                goal = corner + test::random_point(random, 5e-3);
     const ProxyStep step = step_from(sight, place, goal, {unbounded, unbounded});
     EXPECT_LE((place + step.z - goal).norm(), (place - goal).norm()) << k;
-    bent += step.bent ? 1 : 0;
+    bent += step.end == StepEnd::bent ? 1 : 0;
   }
   EXPECT_GT(bent, 100);
 }
@@ -118,7 +118,7 @@ TEST(BentWalls, TheWayIsNoLongerThanAskedForAndFreeOfAllElse) {
   const Vec3 place = on(sight, corner, Vec3(1, 1.2, 0.9));
   const double flat_m = step_from(sight, place, goal, {unbounded}).z.norm();
   const ProxyStep cut = step_from(sight, place, goal, {unbounded, 1.1 * flat_m});
-  EXPECT_FALSE(cut.bent) << "not to its end";
+  EXPECT_NE(cut.end, StepEnd::bent) << "not to its end";
   EXPECT_GT(cut.z.norm(), 1.05 * flat_m);
   EXPECT_LE(cut.z.norm(), 1.1 * flat_m * (1 + 1e-9));
 
@@ -131,7 +131,7 @@ TEST(BentWalls, TheWayIsNoLongerThanAskedForAndFreeOfAllElse) {
       radius_m, Normals::facet));
   const ProxyStep stopped = step_from(walled, place, goal, {unbounded, unbounded});
   EXPECT_EQ(stopped.wall_count, 1);
-  EXPECT_FALSE(stopped.bent);
+  EXPECT_NE(stopped.end, StepEnd::bent);
   EXPECT_NEAR(stopped.z.norm(), flat_m, 1e-12);
 }
 

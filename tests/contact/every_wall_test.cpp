@@ -26,7 +26,7 @@ TEST(EveryWall, ComesToWhatTheProjectionOntoAnyOfTheWallsComesTo) {
     const ProxyProjection nearer = EveryWall(walls).with_walls_nearer(every, nearer_m);
     for (ProxyWall& wall : walls) wall.least_m -= nearer_m;
     const ProxyProjection p = project_onto_walls(goal, walls, 1e-12);
-    const bool all_hold = p.active_count == static_cast<int>(walls.size());
+    const bool all_hold = p.wall_count == static_cast<int>(walls.size());
     ASSERT_EQ(nearer.found, all_hold);
     if (nearer_m == 0) {
       ASSERT_EQ(every.found, all_hold);

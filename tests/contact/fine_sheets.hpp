@@ -11,7 +11,7 @@
 namespace fingerpad::test {
 
 inline Vec3 push_of(const ProxyContact& contact) {
-  return contact.touching ? Vec3(contact.depth_m * contact.normal_W) : Vec3::Zero();
+  return contact.touching() ? Vec3(contact.depth_m * contact.normal_W) : Vec3::Zero();
 }
 
 struct Worst {

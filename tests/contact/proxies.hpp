@@ -30,6 +30,11 @@ class EitherProxy : public testing::TestWithParam<ProxyKind> {
 
 inline const ProxyKind proxy_kinds[] = {{"Plain", plain_proxy}, {"Fast", usual_proxy}};
 
+/// Where the centre of the ball without its skin is shown to a finger there.
+inline Vec3 shown_place_W(const ProxyContact& contact, const Vec3& p_WQ) {
+  return p_WQ + contact.depth_m * contact.direction_W;
+}
+
 inline std::string kind_name(const testing::TestParamInfo<ProxyKind>& info) {
   return info.param.name;
 }

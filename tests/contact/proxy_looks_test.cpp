@@ -55,7 +55,7 @@ TEST(ProxyLooks, NothingIsCrossedHoweverLittleATickMayLookAt) {
           ASSERT_TRUE(std::isfinite(c.depth_m) && c.normal_W.allFinite() && c.point_W.allFinite());
           ASSERT_LE(proxy.looks().spent(), looks + most_beyond);
           broken_off += c.broken_off ? 1 : 0;
-          touched += c.placed && c.touching ? 1 : 0;
+          touched += c.placed && c.touching() ? 1 : 0;
           if (!c.placed || k % 20 != 0) continue;
           const Vec3 q = proxy.ball_W() - part.centre_P;
           ASSERT_GE(test::brute_closest(part, q).distance_m, proxy.clearance_m() - 1e-10 * part.size_m())
@@ -167,7 +167,7 @@ TEST(ProxyLooks, ABallInABoreOfItsOwnRadiusSlidesAlongItWithinItsLooks) {
       const Vec3 goal(2e-4 * std::sin(0.01 * k), 2e-4 * std::cos(0.013 * k), 5e-3 * std::sin(0.005 * k));
       const ProxyContact& c = proxy.move(goal, 1e-3);
       ASSERT_LE(proxy.looks().spent(), ServoLooks::most + most_beyond);
-      touched += c.placed && c.touching ? 1 : 0;
+      touched += c.placed && c.touching() ? 1 : 0;
       settled += c.placed && c.settled ? 1 : 0;
       if (k >= 20) most_behind_m = std::max(most_behind_m, std::abs(proxy.ball_W().z() - goal.z()));
     }
@@ -198,15 +198,15 @@ TEST(ProxyLooks, AFingerThatLeavesAFanOfAHundredThousandSliversIsNotHeld) {
     const double z_m = 1e-3 * std::abs(4 - 0.02 * k * 1.25) - 1e-3;
     const ProxyContact& c = proxy.move(Vec3(1e-7, 0, z_m), 1e-3);
     ASSERT_LE(proxy.looks().spent(), ServoLooks::most + most_beyond);
-    touched |= c.touching;
-    if (c.touching) {
+    touched |= c.touching();
+    if (c.touching()) {
       ASSERT_GT(c.direction_W.z(), 0) << "pushed out, never pulled in " << k;
     }
-    ASSERT_TRUE(!c.touching || z_m < 1e-4) << "held " << z_m << " m above the tip";
+    ASSERT_TRUE(!c.touching() || z_m < 1e-4) << "held " << z_m << " m above the tip";
   }
   EXPECT_TRUE(touched);
   for (int k = 0; k < 300; ++k) proxy.move(Vec3(1e-7, 0, 4e-3), 1e-3);
-  EXPECT_FALSE(proxy.state().contact.touching);
+  EXPECT_FALSE(proxy.state().contact.touching());
   EXPECT_GT(proxy.ball_W().z(), 3.9e-3) << "it followed";
 }
 

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <limits>
+#include <type_traits>
 
 #include "contact/proxies.hpp"
 #include "contact/proxy_report.hpp"
@@ -44,8 +46,8 @@ struct Agreement {
 };
 
 bool tell_the_same(const ProxyContact& a, const ProxyContact& b, double size_m) {
-  if (a.touching != b.touching) return std::max(a.depth_m, b.depth_m) < 1e-9 * size_m;  // the skin
-  if (!a.touching) return true;
+  if (a.touching() != b.touching()) return std::max(a.depth_m, b.depth_m) < 1e-9 * size_m;  // the skin
+  if (!a.touching()) return true;
   return std::abs(a.depth_m - b.depth_m) < 1e-11 * size_m && (a.direction_W - b.direction_W).norm() < 1e-6 &&
          a.hold_count == b.hold_count;
 }
@@ -58,7 +60,7 @@ bool name_the_same_triangles(const ProxyContact& a, const ProxyContact& b) {
 }
 
 void compare(const ProxyState& fast, const ProxyState& plain, double size_m, Agreement& sum) {
-  sum.touched += plain.contact.touching ? 1 : 0;
+  sum.touched += plain.contact.touching() ? 1 : 0;
   const bool is_same = (fast.place_O - plain.place_O).norm() <= 1e-12 * size_m;
   if (!fast.contact.settled || !plain.contact.settled) {
     // How far a view shows may yet decide which wall a step comes upon.
@@ -69,7 +71,7 @@ void compare(const ProxyState& fast, const ProxyState& plain, double size_m, Agr
     const ProxyContact &a = fast.contact, &b = plain.contact;
     if (!tell_the_same(a, b, size_m)) {
       ++sum.told_otherwise;
-    } else if (a.touching && b.touching && (a.normal_W - b.normal_W).norm() > 1e-6) {
+    } else if (a.touching() && b.touching() && (a.normal_W - b.normal_W).norm() > 1e-6) {
       ++(name_the_same_triangles(a, b) ? sum.told_otherwise : sum.shaded_otherwise);
     }
   } else {
@@ -151,6 +153,21 @@ TEST(ProxyMemory, AnswersAsTheProxyAloneDoesOnShapesThatHopRollAndWedge) {
   expect_agreement(surface_of(test::roof_soup(0.05, -0.4)).tree, "valley");
 }
 
+static_assert(!std::is_constructible_v<ProxyViews, ProxyWorld, Looks>, "without a memory it sees no edges");
+
+TEST(ProxyMemory, StepsAsThePlainSightFromItsMakingOn) {
+  const ProxyWorld world({surface_of(test::box_soup(Vec3(0.1, 0.1, 0.02)))}, 0.001, Normals::facet);
+  ProxyState state;
+  state.place_O = Vec3(0.01, 0.02, 0.0112);
+  state.goal_O = Vec3(0.0102, 0.02, 0.01);
+  const StepTerms terms{std::numeric_limits<double>::infinity()};
+  const ProxyStep fast = ProxyMemory(world, Looks(Looks::unlimited)).step(state, terms),
+                  plain = ProxySight(world).step(state, terms);
+  EXPECT_EQ(plain.wall_count, 1);
+  EXPECT_EQ(fast.wall_count, 1);
+  EXPECT_LT((fast.z - plain.z).norm(), 1e-15);  // rounding of 1e-2
+}
+
 TEST(ProxyMemory, OneWallHoldsWithoutItsSkinWhereTheProjectionSaysSo) {
   const ProxyWorld world({surface_of(test::box_soup(Vec3(0.1, 0.1, 0.02)))}, 0.001, Normals::facet);
   const Vec3 normal = Vec3(1, 2, -2) / 3;
@@ -160,14 +177,17 @@ TEST(ProxyMemory, OneWallHoldsWithoutItsSkinWhereTheProjectionSaysSo) {
     ProxyWall wall;
     wall.normal = normal;
     wall.least_m = normal.dot(goal) + world.skin_m() + (0.1 * k + 0.05) * world.slack_m();
-    const ProxyProjection one = held_without_skin(world, Vec3::Zero(), goal, std::span(&wall, 1));
+    ProxyStep hold;
+    hold.wall_count = 1;
+    hold.walls[0] = wall;
+    const auto one = held_without_skin(world, hold, goal);
     wall.least_m -= world.skin_m();
     const ProxyProjection any = project_onto_walls(goal, std::span(&wall, 1), world.slack_m());
-    ASSERT_EQ(one.found, any.found);
-    ASSERT_EQ(one.active_count, any.active_count) << k;
-    held += one.active_count;
-    if (one.active_count > 0) {
-      ASSERT_EQ(one.share_m[0], any.share_m[0]);
+    ASSERT_TRUE(one && any.found);
+    ASSERT_EQ(one->wall_count, any.wall_count) << k;
+    held += one->wall_count;
+    if (one->wall_count > 0) {
+      ASSERT_EQ(one->share_m[0], any.share_m[0]);
     }
   }
   EXPECT_EQ(held, 31) << "from a slack on";

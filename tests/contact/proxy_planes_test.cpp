@@ -38,13 +38,14 @@ TEST_P(ProxyAmongPlanes, ABallThatStartsInAVOfTwoPlanesIsPlacedAndFeelsBothAllAl
       const double rounding_m = 1e-13 / std::sin(2 * half_angle_rad);
       for (int k = 0; k < 20; ++k) {
         const Vec3 rest = at + turn * Vec3(0, 1e-4 * k, radius_m / std::sin(half_angle_rad));
-        const ProxyContact& contact = proxy.move(rest - turn * Vec3(0, 0, 0.002), 1e-3);
+        const Vec3 p_WQ = rest - turn * Vec3(0, 0, 0.002);
+        const ProxyContact& contact = proxy.move(p_WQ, 1e-3);
         SCOPED_TRACE(testing::Message() << half_angle_rad << " trial " << trial << " tick " << k);
-        ASSERT_TRUE(contact.placed && contact.touching && contact.settled);
+        ASSERT_TRUE(contact.placed && contact.touching() && contact.settled);
         ASSERT_EQ(contact.started, k == 0);
         ASSERT_EQ(contact.hold_count, 2);
         ASSERT_NEAR(contact.depth_m, 0.002, rounding_m);
-        ASSERT_LT((contact.proxy_W - rest).norm(), rounding_m);
+        ASSERT_LT((shown_place_W(contact, p_WQ) - rest).norm(), rounding_m);
         for (std::size_t h = 0; h < 2; ++h)
           ASSERT_NEAR(contact.holds[h].share_m, 0.001 / std::sin(half_angle_rad),
                       rounding_m / std::sin(2 * half_angle_rad));
@@ -70,9 +71,10 @@ TEST_P(ProxyAmongPlanes, APointThatStartsBehindBothIsPutOntoTheEdgeThatBothAreNa
         const Vec3 p_WQ = turn * Vec3(aside_m, 1e-5 * k, -0.002);
         const ProxyContact& contact = proxy.move(p_WQ, 1e-3);
         SCOPED_TRACE(testing::Message() << half_angle_rad << " trial " << trial << " tick " << k);
-        ASSERT_TRUE(contact.placed && contact.touching && contact.settled);
+        ASSERT_TRUE(contact.placed && contact.touching() && contact.settled);
         ASSERT_EQ(contact.hold_count, 2);
-        ASSERT_LT((contact.proxy_W - turn * Vec3(0, 1e-5 * k, 0)).norm(), 1e-15 + 1e-13 * p_WQ.norm());
+        ASSERT_LT((shown_place_W(contact, p_WQ) - turn * Vec3(0, 1e-5 * k, 0)).norm(),
+                  1e-15 + 1e-13 * p_WQ.norm());
       }
     }
   }

@@ -150,7 +150,7 @@ class Witness {
 
   /// By how much the push changed more than it may, as a share of the depth.
   double step_excess(const Vec3& goal, const ProxyContact& contact) {
-    const Vec3 push = contact.touching ? Vec3(contact.depth_m * contact.normal_W) : Vec3::Zero();
+    const Vec3 push = contact.touching() ? Vec3(contact.depth_m * contact.normal_W) : Vec3::Zero();
     const double finger_m = (goal - goal_).norm(), depth_m = std::max(push.norm(), push_.norm());
     // The finger's motion and the proxy's: twice that, or, where it rests, dt/0.5 s of the way to it.
     const double proxy_m = std::max(2 * finger_m, (push_.norm() + finger_m) * dt_s / 0.5);
@@ -185,7 +185,7 @@ Findings rub(const test::NastyWorld& world, std::vector<FacetCones>& cones, Norm
     found.step_excess = std::max(found.step_excess, witness.step_excess(goal, c));
     found.facet_step_excess =
         std::max(found.facet_step_excess, facet_witness.step_excess(goal, facets.move(goal, dt_s)));
-    if (!c.touching) {
+    if (!c.touching()) {
       last_rad = 0;
       continue;
     }

@@ -52,7 +52,7 @@ TEST(ProxySweep, SaysFreeOrShowsAWallAndNeverPassesTheTouch) {
     ++(sweep.blocked ? blocked : free);
     // Rounding of 1e-14 aside, wherever the sweep says free there is the clearance.
     for (int k = 0; k <= 100; ++k) {
-      const Vec3 y = from + (sweep.reached * k / 100.0) * (to - from);
+      const Vec3 y = from + (sweep.free_share * k / 100.0) * (to - from);
       ASSERT_GE(brute_distance_m(part, y), clearance_m - tolerance_m - 1e-14) << trial;
     }
     if (!sweep.blocked) continue;

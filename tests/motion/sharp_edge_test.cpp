@@ -69,7 +69,7 @@ Pressed pressed(const std::shared_ptr<const TriangleTree>& tree, const Motion& m
   Vec3 first = Vec3::Zero();
   for (long k = 0; k < path.tick_count(); ++k) {
     const ProxyContact& contact = proxy.move(path.at(k).p_WQ, 1 / rate_hz);
-    if (!contact.touching) continue;
+    if (!contact.touching()) continue;
     if (touching++ == 0) first = contact.normal_W;
     found.most_m = std::max(found.most_m, contact.depth_m);
     found.turn_rad = std::max(found.turn_rad, std::acos(std::clamp(first.dot(contact.normal_W), -1.0, 1.0)));

@@ -72,7 +72,7 @@ WalkFigures walk(const std::shared_ptr<const World>& world, const Scene& scene, 
     sample.p_WQ = finger.next();
     const TickRecord row = touch.tick(sample);
     const ProxyContact& contact = proxy.move(sample.p_WQ, 1e-3);
-    EXPECT_EQ(contact.depth_m * (contact.touching ? 1 : 0), row.depth_m) << k;
+    EXPECT_EQ(contact.depth_m * (contact.touching() ? 1 : 0), row.depth_m) << k;
     figures.non_finite += row.force_W_n.allFinite() ? 0 : 1;
     if (row.phase != Phase::free) {
       ++figures.touched;

@@ -84,7 +84,7 @@ TriangleSoup sheet_of(const Trial& trial) {
 }
 
 Vec3 push_of(const ProxyContact& contact) {
-  return contact.touching ? Vec3(contact.depth_m * contact.normal_W) : Vec3::Zero();
+  return contact.touching() ? Vec3(contact.depth_m * contact.normal_W) : Vec3::Zero();
 }
 
 /// Where the ball first touches on its way down, in steps of a fifth of a facet or a hundredth of its radius.
@@ -93,7 +93,7 @@ double touching_height_m(const PlacedSurface& surface, const Trial& trial, doubl
   const double step_m = std::max(0.2 * trial.facet_m, 0.01 * trial.radius_m);
   double z_m = 1.5 * trial.radius_m + cells * trial.facet_m;
   for (int k = 0; k < 10000; ++k, z_m -= step_m) {
-    if (proxy.move(trial.turned * Vec3(x_m, y_m, z_m), trial.dt_s).touching) break;
+    if (proxy.move(trial.turned * Vec3(x_m, y_m, z_m), trial.dt_s).touching()) break;
   }
   return z_m;
 }

@@ -1,4 +1,4 @@
-#include "study/load_exponent.hpp"
+#include "study/mu_load_exponent.hpp"
 
 #include <cmath>
 #include <map>
@@ -98,8 +98,8 @@ struct ScatterSums {
 
 }  // namespace
 
-PadValue load_exponent(const std::vector<TrialEvidence>& trials, const std::vector<int>& times, double about,
-                       double scatter) {
+PadValue mu_load_exponent(const std::vector<TrialEvidence>& trials, const std::vector<int>& times,
+                          double about, double scatter) {
   constexpr double least_spread = 0.1;  // standard deviation of ln n
   PadValue found;
   double exponents = 0, count = 0;

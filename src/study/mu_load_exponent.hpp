@@ -16,8 +16,8 @@ namespace fingerpad {
 /// scatter of some trials would pass for an effect of their loads.
 /// @param about    the exponent that the trials' ratios were taken to the load by
 /// @param scatter  trial_scatter
-PadValue load_exponent(const std::vector<TrialEvidence>& trials, const std::vector<int>& times, double about,
-                       double scatter);
+PadValue mu_load_exponent(const std::vector<TrialEvidence>& trials, const std::vector<int>& times,
+                          double about, double scatter);
 
 /// Variance of the trials' own factors over that of what one sample of slip adds to a trial's exponent, both
 /// told by the trials: the first from how the means lie about each subject's line, the second from how the
