@@ -158,7 +158,7 @@ int fit(const FitOptions& options) {
   file.commit();
   if (!options.quiet && options.out != "-") tell_fit(found);
   tell_written(options.quiet, options.out, trials_text(found));
-  if (replaces) print_err("fingerpad: {}: replaced the file that was there\n", options.out);
+  if (replaces && !options.quiet) print_err("fingerpad: {}: replaced the file that was there\n", options.out);
   warn(fit_warnings(found));
   add_lines(fit_warnings(found), told.warnings);
   if (report_folder) tell_report(options, {measurement, found, settings, told, source});
