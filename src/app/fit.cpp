@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <optional>
 
 #include "app/commands.hpp"
@@ -149,6 +150,8 @@ int fit(const FitOptions& options) {
                     press.empty() ? "" : "; normal_stiffness_n_per_m: ", press,
                     is_without_force && !force_mend.empty() ? "; " + force_mend : ""));
   }
+  std::error_code none;
+  const bool replaces = options.out != "-" && std::filesystem::is_regular_file(options.out, none);
   std::string source = fmt::format("fitted to {}, seed {}:", trials_text(found), options.seed);
   for (const std::string& path : options.measurements) source += fmt::format(" {}", path);
   OutputFile file(options.out);
@@ -156,6 +159,7 @@ int fit(const FitOptions& options) {
   file.commit();
   if (!options.quiet && options.out != "-") tell_fit(found);
   tell_written(options.quiet, options.out, trials_text(found));
+  if (replaces && !options.quiet) print_err("fingerpad: {}: replaced the file that was there\n", options.out);
   warn(fit_warnings(found));
   add_lines(fit_warnings(found), told.warnings);
   if (report_folder) tell_report(options, {measurement, found, settings, told, source});

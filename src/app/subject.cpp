@@ -29,7 +29,10 @@ void refuse_unfit_subject(const std::string& path) {
   if (stream_descriptor(path)) return;
   const bool is_toml = path.ends_with(".toml");
   // A pipe can be read once.
-  if (is_toml && std::filesystem::is_regular_file(path, none)) refuse_profile(path);
+  if (is_toml && std::filesystem::is_regular_file(path, none)) {
+    refuse_profile(path);
+    single_scene(path);
+  }
   if (std::filesystem::exists(path, none)) return;
   if (is_toml) read_scene_file(path);  // with the scene that is meant
   const InputFile refuses(path, {"a scene, mesh or trace", std::numeric_limits<std::uint64_t>::max()});
@@ -44,15 +47,20 @@ Scene single_scene(const std::string& path) {
 
 void tell_choice(const World& world) {
   if (!world.contact) return;
-  // A tolerance that a wider one would replace is for who computes with the forces: replay and study tell it.
-  const auto is_for_figures = [&](const std::string& reason) {
-    return std::any_of(world.contact->limits.begin(), world.contact->limits.end(), [&](const auto& limit) {
-      return std::isfinite(limit.kept_tolerance) && !limit.said.empty() &&
-             reason.ends_with(limit.said + " (auto)");
-    });
-  };
-  for (const std::string& reason : world.contact->reasons)
-    if (!is_for_figures(reason)) print_err("fingerpad: {}\n", reason);
+  for (std::string reason : world.contact->reasons) {
+    bool is_for_figures = false;
+    for (const ContactLimit& limit : world.contact->limits) {
+      if (limit.said.empty() || !reason.ends_with(limit.said + " (auto)")) continue;
+      // A tolerance that a wider one would replace is for who computes with the forces: replay and study
+      // tell it.
+      is_for_figures = is_for_figures || std::isfinite(limit.kept_tolerance);
+      // Why is told where the contact was chosen, a line before.
+      if (const std::size_t why = reason.find(": " + limit.why + "; "); why != std::string::npos)
+        reason.erase(why, limit.why.size() + 2);
+      break;
+    }
+    if (!is_for_figures) print_err("fingerpad: {}\n", reason);
+  }
 }
 
 void tell_unit_hints(const World& world, const Scene& scene) {

@@ -13,8 +13,8 @@ struct World;
 enum class SubjectKind { scene, mesh, trace };
 SubjectKind subject_kind(const std::string& path);
 
-/// Throws Error (refused) where there is no such file, and where a profile is named in a scene's place: told
-/// before what is missing to show or to move it, such as a display.
+/// Throws Error (refused) where there is no such file, where a profile is named in a scene's place, and where
+/// a scene has a fault: told before what is missing to show or to move it, such as a display.
 void refuse_unfit_subject(const std::string& path);
 
 /// A scene file's scene; of a set, its first job's. Throws Error (refused).

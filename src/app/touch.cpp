@@ -70,7 +70,7 @@ void tell_touch_end(const TouchOptions& options, const FeltSum& felt, const Serv
                                                        : RealTime::refused;
   const std::string advice = late_advice(timing, rate_hz, real_time);
   if (!advice.empty()) print_err("fingerpad: warning: {}\n", advice);
-  const std::string unsettled = unsettled_words(static_cast<double>(felt.unsettled), "", "");
+  const std::string unsettled = live_unsettled_words(static_cast<double>(felt.unsettled));
   if (!unsettled.empty()) print_err("fingerpad: warning: {}\n", unsettled);
 }
 

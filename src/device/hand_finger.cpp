@@ -1,6 +1,13 @@
 #include "device/hand_finger.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/number_text.hpp"
 #include "device/device_table.hpp"
+#include "touch/world.hpp"
 
 namespace fingerpad {
 namespace {
@@ -11,26 +18,48 @@ constexpr double landing_bandwidth_hz = 1.5;
 
 HandFinger::HandFinger(const DeviceSetup& setup, double dt_s)
     : settings_(setup.hand.value_or(HandSettings{})),
+      is_default_(!setup.hand),
+      greatest_n_(setup.scene.contact.greatest_force_n),
       hand_(settings_, dt_s),
+      wants_W_(setup.start.p_WQ),
       intended_(setup.start.p_WQ, pointer_bandwidth_hz),
       landing_(setup.start.p_WQ, landing_bandwidth_hz),
       dt_s_(dt_s),
       place_W_(setup.start.p_WQ),
       finger_(setup.start),
-      seen_target_(setup.start) {
+      last_put_{setup.start},
+      seen_{setup.start} {
   hand_.start(setup.start.p_WQ);
+  if (!setup.world) return;
+  flight_.emplace(setup.world, setup.scene, settings_, dt_s, setup.start.p_WQ);
+  for (const Surface& surface : setup.world->surfaces)
+    stiffest_n_per_m_ = std::max(stiffest_n_per_m_, surface.properties.stiffness_n_per_m);
 }
 
 void HandFinger::set_target(const FingerSample& target) {
-  targets_.put(target);
+  last_put_.finger = target;
+  aims_.put(last_put_);
+}
+
+void HandFinger::look_from(const Vec3& towards_eye_W) {
+  if (towards_eye_W.allFinite() && towards_eye_W.norm() > 0)
+    last_put_.towards_eye_W = towards_eye_W.normalized();
+}
+
+std::string HandFinger::opening_words() const {
+  if (!is_default_) return {};
+  return fmt::format(
+      "the scene has no [hand]: one of {} kg on {} N/m with {} N s/m, encoders of {} m, as by default",
+      number_text(settings_.mass_kg), number_text(settings_.stiffness_n_per_m),
+      number_text(settings_.damping_n_s_per_m), number_text(settings_.encoder_m));
 }
 
 FingerSample HandFinger::advance(double) noexcept {
-  targets_.take(seen_target_);
+  aims_.take(seen_);
   place_W_ = hand_.position_W();
   finger_.p_WQ = hand_.encoded_W();
-  finger_.push_W_n = hand_.push_W_n(intended_.place_m());
-  finger_.direction_W = seen_target_.direction_W;
+  finger_.push_W_n = hand_.push_W_n(wants_W_);
+  finger_.direction_W = seen_.finger.direction_W;
   return finger_;
 }
 
@@ -38,10 +67,10 @@ FingerSample HandFinger::advance(double) noexcept {
 /// clicks would meet the surface with more than it is to press with. So it does where it falls off a ledge.
 Vec3 HandFinger::next_intended_W(const Vec3& wanted_W, const TickRecord& tick) noexcept {
   constexpr double most_landing_s = 0.6, near_share = 0.02, falls_s = 0.01;
-  const double push_n = seen_target_.push_W_n.norm();
+  const double push_n = this->push_n();
   const double near_m = near_share * push_n / settings_.stiffness_n_per_m;
   const auto left_m = [&](const Vec3& from_W) {
-    return (wanted_W - from_W).dot(seen_target_.push_W_n) / push_n;
+    return (wanted_W - from_W).dot(seen_.finger.push_W_n) / push_n;
   };
   if (!(push_n > 0)) lands_ = true;
   free_s_ = tick.phase == Phase::free ? free_s_ + dt_s_ : 0;
@@ -55,7 +84,7 @@ Vec3 HandFinger::next_intended_W(const Vec3& wanted_W, const TickRecord& tick) n
     landing_s_ = 0;
     return next_W;
   }
-  const Vec3 down_W = seen_target_.push_W_n / push_n;
+  const Vec3 down_W = seen_.finger.push_W_n / push_n;
   const auto down_of_second = [&](const Vec3& aside, const Vec3& down) {
     return Vec3(aside + (down - aside).dot(down_W) * down_W);
   };
@@ -69,13 +98,58 @@ Vec3 HandFinger::next_intended_W(const Vec3& wanted_W, const TickRecord& tick) n
   return next_W;
 }
 
+/// Until it is over the spot that is to be pressed it flies; and again once it is not to press.
+bool HandFinger::flies(const TickRecord& tick) noexcept {
+  if (!flight_) return false;
+  const bool did = !comes_down_;
+  if (!(push_n() > 0)) {
+    comes_down_ = false;
+  } else if (did && flight_->has_arrived() && tick.walls == 0) {
+    comes_down_ = lands_ = true;
+    intended_.put(place_W_, Vec3::Zero());
+    landing_.put(place_W_, Vec3::Zero());
+  }
+  if (!comes_down_ && !did) flight_->put(place_W_);
+  return !comes_down_;
+}
+
+/// Drawn with no more than the greatest force, and damped so that the hand's mass meets a wall slowly enough
+/// to add hardly anything to that.
+Vec3 HandFinger::gently_W(const Vec3& intended_W) const noexcept {
+  constexpr double aside_share = 0.5, together_share = 0.9, least_share = 0.15, most_per_tick = 0.3;
+  if (!flight_ || !(push_n() > 0)) return intended_W;
+  const double k = settings_.stiffness_n_per_m, m = settings_.mass_kg;
+  const double down_n = std::min(push_n(), together_share * greatest_n_);
+  const double aside_n =
+      greatest_n_ * std::clamp(together_share - down_n / greatest_n_, least_share, aside_share);
+  const Vec3 down_W = seen_.finger.push_W_n / push_n(), pull_W = intended_W - hand_.position_W();
+  const double along_m = std::clamp(pull_W.dot(down_W), -aside_n / k, down_n / k);
+  Vec3 aside_W = pull_W - pull_W.dot(down_W) * down_W;
+  aside_W *= std::min(1.0, aside_n / k / std::max(aside_n / k, aside_W.norm()));
+  const double critical = 2 * std::sqrt(m * std::max(k, stiffest_n_per_m_));
+  const double lacks =
+      std::max(0.0, std::min(critical, most_per_tick * m / dt_s_) - settings_.damping_n_s_per_m);
+  Vec3 gently_W = hand_.position_W() + along_m * down_W + aside_W - lacks / k * hand_.velocity_W();
+  for (int axis = 0; axis < 3; ++axis)
+    if (!settings_.free_axis[axis]) gently_W[axis] = intended_W[axis];
+  return gently_W;
+}
+
 /// The hand goes on under the force of this tick.
 void HandFinger::feel(const TickRecord& tick) noexcept {
-  const Vec3 intended_W = intended_.place_m();
   // A pointer that says what to press with is followed as deep as the hand's spring needs for that.
-  const Vec3 wanted_W = seen_target_.p_WQ + seen_target_.push_W_n / settings_.stiffness_n_per_m;
-  const Vec3 next_W = next_intended_W(wanted_W.allFinite() ? wanted_W : intended_W, tick);
-  hand_.advance(intended_W, next_W, tick.force_W_n);
+  const Vec3& push_W_n = seen_.finger.push_W_n;
+  const Vec3 wanted_W = seen_.finger.p_WQ + push_W_n / settings_.stiffness_n_per_m;
+  Vec3 next_W = wants_W_;
+  if (flies(tick)) {
+    const Vec3 up_W = push_n() > 0 ? Vec3(push_W_n * (-flight_->height_m() / push_n())) : Vec3::Zero();
+    const Vec3 goal_W = seen_.finger.p_WQ + up_W;
+    next_W = flight_->wants_W(hand_, goal_W.allFinite() ? goal_W : place_W_, seen_.towards_eye_W, tick);
+  } else {
+    next_W = gently_W(next_intended_W(wanted_W.allFinite() ? wanted_W : intended_.place_m(), tick));
+  }
+  hand_.advance(wants_W_, next_W, tick.force_W_n);
+  wants_W_ = next_W;
 }
 
 DeviceEntry hand_device() noexcept {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "device/follower.hpp"
+#include "device/hand_flight.hpp"
 #include "device/latest.hpp"
 #include "device/live_device.hpp"
 #include "motion/simulated_hand.hpp"
@@ -9,7 +10,9 @@ namespace fingerpad {
 
 /// The simulated hand of the scene's [hand], or of its defaults, chasing the mouse: a mass on a spring that
 /// the surface pushes back. What it does to the finger is what `replay` does with a motion and a [hand]: what
-/// is felt is where the hand's encoders put the finger.
+/// is felt is where the hand's encoders put the finger. Where it knows its world it hovers without touching,
+/// comes down over the spot, and is drawn aside over it so gently that a wall that it meets stops it with
+/// less than the scene's greatest force.
 class HandFinger final : public LiveDevice {
  public:
   HandFinger(const DeviceSetup& setup, double dt_s);
@@ -19,22 +22,38 @@ class HandFinger final : public LiveDevice {
   SampleParts gives() const noexcept override { return {.pushes = true}; }
   std::optional<Vec3> true_place_W() const noexcept override { return place_W_; }
   void set_target(const FingerSample& target) override;
+  void look_from(const Vec3& towards_eye_W) override;
+  std::string opening_words() const override;
 
  private:
+  struct Aim {
+    FingerSample finger;
+    Vec3 towards_eye_W = Vec3::UnitZ();
+  };
+
+  double push_n() const noexcept { return seen_.finger.push_W_n.norm(); }
+  bool flies(const TickRecord& tick) noexcept;
+  Vec3 gently_W(const Vec3& intended_W) const noexcept;
   Vec3 next_intended_W(const Vec3& wanted_W, const TickRecord& tick) noexcept;
 
   HandSettings settings_;
+  bool is_default_;                           ///< the scene has no [hand]
+  double greatest_n_, stiffest_n_per_m_ = 0;  ///< of the scene, and of its surfaces
   SimulatedHand hand_;
-  Follower intended_;  ///< where the mouse goes, as a hand would follow it
-  Follower landing_;   ///< the same along the way down, while the hand lands
+  std::optional<HandFlight> flight_;  ///< none where it knows of no world
+  bool comes_down_ = false;           ///< else it flies, pressed or not, until it is over the spot
+  Vec3 wants_W_;                      ///< where the hand wants to be now
+  Follower intended_;                 ///< where the mouse goes, as a hand would follow it
+  Follower landing_;                  ///< the same along the way down, while the hand lands
   bool lands_ = true;
   double landing_s_ = 0;  ///< so long it has touched meanwhile
   double free_s_ = 0;     ///< so long it has touched nothing
   double dt_s_;
   Vec3 place_W_;  ///< of the last advance()
   FingerSample finger_;
-  Latest<FingerSample> targets_;  // to the servo
-  FingerSample seen_target_;      // servo's thread
+  Aim last_put_;      // the window's threads'
+  Latest<Aim> aims_;  // to the servo
+  Aim seen_;          // servo's thread
 };
 
 }  // namespace fingerpad

@@ -11,13 +11,15 @@ namespace {
 
 /// For what is looked at in a tick: some two tenths of a millisecond.
 constexpr long most_looks = 20000;
+/// So much room is none [of what a flight keeps from the parts].
+constexpr double hardly_share = 0.1;
 
 }  // namespace
 
 void OpenPlace::aim(const PointerAim& aim) noexcept {
   const bool same = has_aim_ && aim.finger.p_WQ == aim_.finger.p_WQ && aim.spot_W == aim_.spot_W &&
                     aim.finger.push_W_n == aim_.finger.push_W_n && aim.towards_eye_W == aim_.towards_eye_W;
-  if (same && has_looked_) return;
+  if (same && has_looked_) return look_on();
   aim_ = aim;
   has_aim_ = has_looked_ = true;
   if (given_up_ && !is_given_up()) given_up_.reset();
@@ -60,7 +62,7 @@ bool OpenPlace::seems_free(double least_m, Looks& looks) const noexcept {
 
 /// Looked for anew where the spot has gone on by a little: from tick to tick it goes hardly anywhere.
 Vec3 OpenPlace::stopped_W(Looks& looks) noexcept {
-  constexpr double hardly_share = 0.1, little_share = 0.1;
+  constexpr double little_share = 0.1;
   const Vec3& eye_W = aim_.towards_eye_W;
   const bool is_near = has_stopped_ && eye_W == stopped_by_W_ &&
                        (aim_.spot_W - stopped_for_W_).norm() < little_share * soft_m_;
@@ -72,7 +74,19 @@ Vec3 OpenPlace::stopped_W(Looks& looks) noexcept {
   const double from_m = (around_.middle_W() - aim_.spot_W).dot(eye_W) + around_.radius_m() + radius_m;
   stopped_at_W_ =
       stopped_on_line(world_, aim_.spot_W, eye_W, from_m, radius_m, hardly_share * soft_m_, looks);
+  may_be_lower_ = true;
   return stopped_at_W_;
+}
+
+/// Down from where the looks ended, until that leads no lower.
+void OpenPlace::look_on() noexcept {
+  if (has_room_ || !may_be_lower_) return;
+  const double hardly_m = hardly_share * soft_m_, up_m = (stopped_at_W_ - stopped_for_W_).dot(stopped_by_W_);
+  Looks looks(most_looks);
+  const Vec3 lower_W = stopped_on_line(world_, stopped_for_W_, stopped_by_W_, up_m, around_.finger_radius_m(),
+                                       hardly_m, looks);
+  may_be_lower_ = (stopped_at_W_ - lower_W).norm() > hardly_m;
+  if (may_be_lower_) place_W_ = stopped_at_W_ = lower_W;
 }
 
 Vec3 OpenPlace::place_below_W(const Vec3& finger_W) const noexcept {

@@ -21,7 +21,8 @@ class OpenPlace {
       : world_(world), around_(around), soft_m_(soft_m) {}
 
   /// For this aim from now on. Looks around where it is another than the last, as far as a tick's
-  /// looks go. noexcept, allocates nothing.
+  /// looks go; where these have ended too early, the same aim is looked at further in the next ticks.
+  /// noexcept, allocates nothing.
   void aim(const PointerAim& aim) noexcept;
 
   /// No way has led to the place that was asked for last. From the next aim() on it is as if the finger had
@@ -45,6 +46,7 @@ class OpenPlace {
   bool is_given_up() const noexcept;
   bool seems_free(double least_m, Looks& looks) const noexcept;
   Vec3 stopped_W(Looks& looks) noexcept;
+  void look_on() noexcept;
 
   const World& world_;
   const Surroundings& around_;
@@ -55,6 +57,7 @@ class OpenPlace {
   std::optional<PointerAim> given_up_;  ///< to this, and what is beside it, leads no way
   bool has_stopped_ = false;
   Vec3 stopped_at_W_, stopped_for_W_, stopped_by_W_;  ///< the last: where, for which spot, to which eye
+  bool may_be_lower_ = false;                         ///< a tick's looks may have ended before it was stopped
 };
 
 }  // namespace fingerpad

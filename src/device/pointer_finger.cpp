@@ -20,9 +20,11 @@ PointerFinger::PointerFinger(const DeviceSetup& setup)
       last_put_{setup.start, Vec3::UnitZ(), setup.start.p_WQ},
       aim_(last_put_),
       flight_(around_, setup.start.p_WQ),
+      steps_(foresight_, flight_),
+      lift_(around_, flight_, steps_),
+      leash_(2 * flight_.soft_m(), leash_share * around_.radius_m(), setup.start.p_WQ),
       open_(*setup.world, around_, flight_.soft_m()),
-      finger_(setup.start),
-      landed_for_W_(setup.start.p_WQ) {}
+      finger_(setup.start) {}
 
 void PointerFinger::set_target(const FingerSample& target) {
   const double length = target.direction_W.norm();
@@ -62,7 +64,7 @@ std::unique_ptr<ChangeBeside> PointerFinger::ready_for(const World& world, const
 
 void PointerFinger::feel(const TickRecord& tick) noexcept {
   touched_ = tick;
-  if (is_touching()) out_W_ = tick.normal_W;
+  lift_.feel(tick);
 }
 
 FingerSample PointerFinger::advance(double dt_s) noexcept {
@@ -83,16 +85,17 @@ FingerSample PointerFinger::advance(double dt_s) noexcept {
   } else if (doing_ == Doing::presses) {
     press(dt_s);
   } else {
-    lift(dt_s);
+    lift_.go_on(touched_, fastest_m(dt_s), dt_s);
   }
   // Rarely, between two answers that lie within rounding, the step is not what it was when it was tried.
   const Vec3 from_W = finger_.p_WQ;
-  const double lifts_n = doing_ == Doing::lifts ? lift_most_n_ : 0;
+  const double lifts_n = doing_ == Doing::lifts ? lift_.most_n() : 0;
   const double allowed_n = std::max({within(surely_share), touched_.normal_force_n, lifts_n});
   if (foresight_.go_n(flight_.place_W(), dt_s) > allowed_n) {
     foresight_.take_back();
     flight_.put(from_W, Vec3::Zero());
-    give_way(within(tried_share), doing_ == Doing::lifts ? allowed_n : any_force_n, dt_s);
+    steps_.give_way(touched_, within(tried_share), doing_ == Doing::lifts ? allowed_n : any_force_n,
+                    fastest_m(dt_s), dt_s);
     foresight_.go_n(flight_.place_W(), dt_s);
   }
   finger_.p_WQ = flight_.place_W();
@@ -103,33 +106,20 @@ FingerSample PointerFinger::advance(double dt_s) noexcept {
 PointerFinger::Doing PointerFinger::next_doing(double dt_s) noexcept {
   const bool wants = wanted_n_ > 0;
   if (is_touching()) {
-    const bool stays = wants && (doing_ == Doing::lands || doing_ == Doing::presses) && can_follow(dt_s);
-    if (!stays && doing_ != Doing::lifts) begin_lift();
+    const bool stays =
+        wants && (doing_ == Doing::lands || doing_ == Doing::presses) && leash_.holds(open_, held_W(), dt_s);
+    if (!stays && doing_ != Doing::lifts) lift_.begin(touched_, pressed_most_n_);
     return stays ? Doing::presses : Doing::lifts;
   }
   if (doing_ == Doing::presses) {  // it fell off an edge
-    begin_lift();
+    lift_.begin(touched_, pressed_most_n_);
     return Doing::lifts;
   }
-  if (doing_ == Doing::lifts) return after_lifting();
+  if (doing_ == Doing::lifts) return lift_.is_over() ? Doing::flies : Doing::lifts;
   if (doing_ == Doing::lands) return after_landing();
   if (!wants || !can_land(landing_begins)) return Doing::flies;
-  nearest_m_ = std::numeric_limits<double>::infinity();
-  delay_s_ = 0;
+  leash_.begin();
   return Doing::lands;
-}
-
-void PointerFinger::begin_lift() noexcept {
-  // On the way out another wall may come to hold it, whose force counts too; no more than a press may have.
-  constexpr double another_wall = 1.2;
-  lift_ticks_ = 0;
-  lift_most_n_ =
-      std::min(another_wall * touched_.normal_force_n, std::max(touched_.normal_force_n, pressed_most_n_));
-}
-
-PointerFinger::Doing PointerFinger::after_lifting() const noexcept {
-  return flight_.free_m() > 0.5 * flight_.soft_m() || lift_ticks_ > most_lift_ticks ? Doing::flies
-                                                                                    : Doing::lifts;
 }
 
 LandingWay PointerFinger::landing_way() const noexcept {
@@ -145,37 +135,6 @@ bool PointerFinger::can_land(const LandingRoom& room) const noexcept {
   const double beside_m = 10 * flight_.soft_m() + around_.finger_radius_m();
   if (flight_.has_arrived() && way.there_W.norm() < beside_m) return way.is_in_front();
   return way.meets_place(room);
-}
-
-/// Whether what the pointer wants can be reached over the surface.
-bool PointerFinger::can_follow(double dt_s) noexcept {
-  const double away_m = open_.gain_m(held_W());
-  const double near_m = 2 * flight_.soft_m();
-  if (away_m < near_m || away_m < 0.98 * nearest_m_) {
-    nearest_m_ = away_m;
-    delay_s_ = 0;
-  } else {
-    delay_s_ += dt_s;
-  }
-  // Landed as near as could be, it stays until the pointer goes on.
-  if ((open_.place_W() - landed_for_W_).norm() < near_m) return true;
-  return delay_s_ < leash_s && away_m < near_m + leash_share * around_.radius_m();
-}
-
-/// Goes so far where that presses with no more than `most_n`.
-bool PointerFinger::try_step(const Vec3& step_W, double most_n, double dt_s) noexcept {
-  const Vec3 to_W = flight_.place_W() + step_W;
-  if (foresight_.try_n(to_W, dt_s) > most_n) return false;
-  flight_.put(to_W, step_W / dt_s);
-  return true;
-}
-
-/// Goes so far, or half as far, and so on.
-bool PointerFinger::try_shorter(Vec3 step_W, double most_n, double dt_s) noexcept {
-  for (int i = 0; i <= most_halvings; ++i, step_W /= 2) {
-    if (try_step(step_W, most_n, dt_s)) return true;
-  }
-  return false;
 }
 
 void PointerFinger::fly(double dt_s) noexcept {
@@ -200,9 +159,9 @@ void PointerFinger::land(double dt_s) noexcept {
   const double far_m = landing_m_per_s * dt_s;
   const double free_m = std::max(0.0, around_.at(flight_.place_W(), far_m).free_m);
   const double into_m = press_step_share * wanted_n_ / around_.stiffest_n_per_m(dt_s);
-  landed_for_W_ = open_.place_W();
+  leash_.land_for(open_.place_W());
   const Vec3 step_W = std::min(far_m, 0.5 * free_m + into_m) * landing_way().unit_W();
-  if (!try_shorter(step_W, within(tried_share), dt_s)) try_step(Vec3::Zero(), any_force_n, dt_s);
+  if (!steps_.go_shorter(step_W, within(tried_share), dt_s)) steps_.go(Vec3::Zero(), any_force_n, dt_s);
 }
 
 /// Along the surface after the pointer; slowly where that has led no nearer for a while, and ever less after
@@ -213,7 +172,7 @@ Vec3 PointerFinger::aside(double dt_s) const noexcept {
   const Vec3 way_W =
       open_.has_room() ? Vec3(aim_.finger.p_WQ - flight_.place_W()) : Vec3(aim_.spot_W - held_W());
   const Vec3 along_W = way_W - way_W.dot(normal_W) * normal_W;
-  const double pull = rest_.pressing_left() * (delay_s_ > leash_s ? slow_share : 1);
+  const double pull = rest_.pressing_left() * (leash_.is_held_up() ? slow_share : 1);
   const double share = pull * (1 - std::exp(-aside_per_s * dt_s)), length_m = along_W.norm();
   const double most_m = pull * fastest_m(dt_s);
   return length_m * share > most_m ? Vec3(along_W * (most_m / length_m)) : Vec3(along_W * share);
@@ -231,10 +190,13 @@ void PointerFinger::press(double dt_s) noexcept {
   flight_.note_way(held_W() + flight_.soft_m() * touched_.normal_W);
   const SurfaceProperties& surface = around_.properties(std::max(touched_.surface, 0));
   const double tolerated = rest_.gone_m() > gone_share * flight_.soft_m() ? force_tolerated : 0;
-  const double in_m = std::min(deeper_m(touched_, wanted_n_, surface, rest_.pressing_left(), tolerated, dt_s),
-                               fastest_m(dt_s));
+  const double in_m =
+      std::clamp(deeper_m(touched_, wanted_n_, surface, rest_.pressing_left(), tolerated, dt_s),
+                 -fastest_m(dt_s), fastest_m(dt_s));
   rest_.press(std::abs(in_m), dt_s);
   pressed_most_n_ = within(tried_share);
+  // Asked for less than it presses with it goes out in many ticks, and presses no harder meanwhile.
+  const double most_n = std::max(pressed_most_n_, touched_.normal_force_n);
   Vec3 aside_W = aside(dt_s);
   for (int i = 0; i <= most_halvings; ++i, aside_W /= 2) {
     const Vec3 step_W = aside_W - in_m * touched_.normal_W;
@@ -243,10 +205,10 @@ void PointerFinger::press(double dt_s) noexcept {
       aside_W.setZero();
       continue;
     }
-    if (felt_n <= pressed_most_n_) return flight_.put(flight_.place_W() + step_W, step_W / dt_s);
+    if (felt_n <= most_n) return flight_.put(flight_.place_W() + step_W, step_W / dt_s);
     if (aside_W.isZero(0)) break;
   }
-  give_way(pressed_most_n_, any_force_n, dt_s);
+  steps_.give_way(touched_, most_n, any_force_n, fastest_m(dt_s), dt_s);
 }
 
 /// So many times what is asked for, but hardly more than the scene's greatest force where no more is asked
@@ -254,36 +216,6 @@ void PointerFinger::press(double dt_s) noexcept {
 double PointerFinger::within(double share) const noexcept {
   constexpr double hardly_more = 1.01;
   return wanted_n_ > greatest_n_ ? share * wanted_n_ : std::min(share * wanted_n_, hardly_more * greatest_n_);
-}
-
-/// Straight out, as little as is enough; else all the way, if that presses with no more than `at_worst_n`.
-void PointerFinger::give_way(double most_n, double at_worst_n, double dt_s) noexcept {
-  for (const double share : {0.1, 0.25, 0.5, 0.75, 0.9}) {
-    if (try_step(share * touched_.depth_m * touched_.normal_W, most_n, dt_s)) return;
-  }
-  const Vec3 all_W = touched_.depth_m * touched_.normal_W;
-  if (!try_step(all_W, at_worst_n, dt_s)) try_step(Vec3::Zero(), any_force_n, dt_s);
-}
-
-/// Straight out, as fast as it goes elsewhere; once it is free, by as much as that and a small step more.
-void PointerFinger::lift(double dt_s) noexcept {
-  ++lift_ticks_;
-  if (is_touching()) {
-    // It may go up so for a while; between two walls it would without end.
-    constexpr double eases = 0.9;
-    const double now_n = touched_.normal_force_n;
-    const double most_n = lift_ticks_ > most_lift_ticks ? eases * now_n : std::max(now_n, lift_most_n_);
-    if (try_shorter(fastest_m(dt_s) * out_W_, most_n, dt_s)) return;
-    return give_way(std::min(most_n, now_n), most_n, dt_s);
-  }
-  const Clearance clearance = around_.at(flight_.place_W(), flight_.soft_m());
-  const double free_m = std::max(0.0, clearance.free_m);
-  flight_.note_free(free_m);
-  // Beside what was touched another wall may stand.
-  const Vec3 way_W = out_W_ + clearance.away_W;
-  const Vec3 step_W = std::min(lifting_m_per_s * dt_s, 0.5 * free_m + 1e-3 * flight_.soft_m()) * way_W /
-                      std::max(1.0, way_W.norm());
-  if (!try_shorter(step_W, 0, dt_s)) try_step(Vec3::Zero(), any_force_n, dt_s);
 }
 
 DeviceEntry pointer_device() noexcept {

@@ -7,9 +7,12 @@
 #include "device/landing_way.hpp"
 #include "device/live_device.hpp"
 #include "device/open_place.hpp"
+#include "device/pointer_leash.hpp"
+#include "device/pointer_lift.hpp"
 #include "device/pointer_limits.hpp"
 #include "device/pointer_path.hpp"
 #include "device/pointer_rest.hpp"
+#include "device/tried_steps.hpp"
 
 namespace fingerpad {
 
@@ -40,8 +43,6 @@ class PointerFinger final : public LiveDevice {
   enum class Doing { flies, lands, presses, lifts };
 
   Doing next_doing(double dt_s) noexcept;
-  void begin_lift() noexcept;
-  Doing after_lifting() const noexcept;
   Doing after_landing() const noexcept {
     return wanted_n_ > 0 && can_land(landing_goes_on) ? Doing::lands : Doing::flies;
   }
@@ -50,21 +51,16 @@ class PointerFinger final : public LiveDevice {
   Vec3 held_W() const noexcept { return flight_.place_W() + touched_.depth_m * touched_.normal_W; }
   LandingWay landing_way() const noexcept;
   bool can_land(const LandingRoom& room) const noexcept;
-  bool can_follow(double dt_s) noexcept;
   void fly(double dt_s) noexcept;
   void land(double dt_s) noexcept;
   bool turns_about_edge(const Vec3& aside_W) const noexcept;
-  /// So far it goes in a tick, along a surface or into it, and out of it in a lift. Out of one that it
-  /// presses too hard it goes as far as it must.
+  /// So far it goes in a tick, along a surface, into it, and out of it; farther out only where nothing else
+  /// keeps the force.
   double fastest_m(double dt_s) const noexcept {
     const double along_m_per_s = pointer_limits::fastest_per_s * around_.radius_m();
     return std::max(pointer_limits::lifting_m_per_s, along_m_per_s) * dt_s;
   }
   void press(double dt_s) noexcept;
-  void lift(double dt_s) noexcept;
-  bool try_step(const Vec3& step_W, double most_n, double dt_s) noexcept;
-  bool try_shorter(Vec3 step_W, double most_n, double dt_s) noexcept;
-  void give_way(double most_n, double at_worst_n, double dt_s) noexcept;
   double within(double share) const noexcept;
   Vec3 aside(double dt_s) const noexcept;
 
@@ -78,17 +74,15 @@ class PointerFinger final : public LiveDevice {
   Vec3 pace_W_ = Vec3::Zero();  // of the pointer [m/s]
   PointerRest rest_;
   FreeFlight flight_;
+  TriedSteps steps_;
+  PointerLift lift_;
+  PointerLeash leash_;
   OpenPlace open_;  // where the pointer wants it, as far as it has room there
   FingerSample finger_;
   Doing doing_ = Doing::flies;
-  double wanted_n_ = 0;         // normal force; 0 to hover
-  TickRecord touched_;          // what the last tick felt
-  Vec3 out_W_ = Vec3::UnitZ();  // the way out of what was touched last, unit
-  int lift_ticks_ = 0;
-  double pressed_most_n_ = 0;           // that the last press might have pressed with ...
-  double lift_most_n_ = 0;              // ... and that a lift may
-  Vec3 landed_for_W_;                   // what the last landing was aimed at ...
-  double nearest_m_ = 0, delay_s_ = 0;  // ... how near the finger has come, and for how long no nearer
+  double wanted_n_ = 0;        // normal force; 0 to hover
+  TickRecord touched_;         // what the last tick felt
+  double pressed_most_n_ = 0;  // that the last press might have pressed with
 };
 
 }  // namespace fingerpad

@@ -24,8 +24,8 @@ inline constexpr double gone_share = 0.1, force_tolerated = 0.15;
 inline constexpr double flying_s = 3, flying_fading_s = 0.5;
 /// What is farther from the finger than this does not lead it over the surface [sizes of the parts] ...
 inline constexpr double leash_share = 0.25;
-/// ... nor what it has come no nearer to for this time.
-inline constexpr double leash_s = 0.2;
+/// ... nor what it has come no nearer to, by this share, for this time.
+inline constexpr double leash_s = 0.2, leash_gain = 0.02;
 /// How fast it comes down where nothing is near yet, and goes up [m/s].
 inline constexpr double landing_m_per_s = 0.3, lifting_m_per_s = 0.5;
 /// What no way led to is tried for anew where the eye's direction has turned by more than this [rad].

@@ -1,10 +1,10 @@
 #include "device/surroundings.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "contact/contact_method_table.hpp"
 #include "scene/scene.hpp"
+#include "touch/nearest_of.hpp"
 #include "touch/parts_ball.hpp"
 
 namespace fingerpad {
@@ -34,24 +34,19 @@ void Surroundings::change(const World& world, const ContactChoice& choice) noexc
 }
 
 Clearance Surroundings::at(const Vec3& p_W, double reach_m) noexcept {
-  Clearance clearance{reach_m, Vec3::Zero()};
-  for (std::size_t i = 0; i < world_->surfaces.size(); ++i) {
-    const Surface& surface = world_->surfaces[i];
-    if (surface.part && !surface.tree) continue;
-    const WorldPoint near = nearest_point(surface, p_W, normals_, memories_[i], finger_radius_m_ + reach_m);
-    if (!near.found) continue;
-    const bool sided = sided_ || surface.is_plane();
-    const double distance_m = sided ? near.signed_distance_m : std::abs(near.signed_distance_m);
-    const double free_m = distance_m - finger_radius_m_;
-    if (!(free_m < clearance.free_m)) continue;
-    clearance.free_m = free_m;
-    const Vec3 way_W = p_W - near.point_W;
-    const double length_m = way_W.norm();
-    // A finger that was let go stands on the surface, to within a proxy's skin on either side of it.
-    const bool tells = !sided && length_m > 1e-6 * radius_m_;
-    clearance.away_W = tells ? Vec3(way_W / length_m) : near.normal_W;
-  }
-  return clearance;
+  const double far_m = finger_radius_m_ + reach_m;
+  const auto find = [&](std::size_t i) {
+    return nearest_point(world_->surfaces[i], p_W, normals_, memories_[i], far_m);
+  };
+  const NearestSurface nearest = nearest_of(*world_, far_m, find, [&](std::size_t) { return sided_; });
+  const double free_m = nearest.clear_m - finger_radius_m_;
+  if (nearest.surface < 0 || !(free_m < reach_m)) return {reach_m, Vec3::Zero()};
+  const Vec3 way_W = p_W - nearest.at.point_W;
+  const double length_m = way_W.norm();
+  const bool is_sided = sided_ || world_->surfaces[static_cast<std::size_t>(nearest.surface)].is_plane();
+  // A finger that was let go stands on the surface, to within a proxy's skin on either side of it.
+  const bool tells = !is_sided && length_m > 1e-6 * radius_m_;
+  return {free_m, tells ? Vec3(way_W / length_m) : nearest.at.normal_W};
 }
 
 double Surroundings::stiffest_n_per_m(double dt_s) const noexcept {

@@ -22,6 +22,7 @@ class SimulatedHand {
   void start(const Vec3& p_W);
   /// Where the finger is [m].
   const Vec3& position_W() const noexcept { return position_W_; }
+  const Vec3& velocity_W() const noexcept { return velocity_W_; }
   /// Where the device's encoders say it is [m].
   Vec3 encoded_W() const noexcept;
   /// What the hand pushes with now, spring and damper [N].

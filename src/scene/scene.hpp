@@ -65,6 +65,7 @@ struct FrictionSettings {
 
 struct FingerSettings {
   double radius_m = 0;
+  std::string radius_place;  ///< "pad.toml:9:12", where the file says it; empty: it does not
   Vec3 direction = Vec3(0, 1, -1).normalized();
   std::string profile;       ///< as written; empty: none
   std::string profile_path;  ///< resolved

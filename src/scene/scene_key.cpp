@@ -1,5 +1,8 @@
 #include "scene/scene_key.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cstdlib>
 
@@ -22,6 +25,26 @@ const SceneKey* find_dotted_key(std::string_view name) noexcept {
   if (dot == std::string_view::npos || dot == 0) return nullptr;
   const SceneTable* table = find_table(name.substr(0, dot));
   return table != nullptr ? find_scene_key(*table, name.substr(dot + 1)) : nullptr;
+}
+
+/// Whether a key is this word, or a quantity of that name with its unit.
+bool is_named(const SceneKey& row, std::string_view word) noexcept {
+  if (row.key == word) return true;
+  const bool has_unit = row.type == KeyType::number || row.type == KeyType::vector;
+  return has_unit && row.key.size() > word.size() && row.key.starts_with(word) && row.key[word.size()] == '_';
+}
+
+/// "; did you mean 'mu_static' in [[part]] or 'mu_static' in [[plane]]?" of a key that stands in the wrong
+/// table; empty where none has it.
+std::string hint_elsewhere(std::string_view word) {
+  std::vector<std::string> places;
+  for (const SceneTable& table : scene_tables()) {
+    for (const SceneKey& row : table.keys)
+      if (is_named(row, word)) places.push_back(fmt::format("'{}' in {}", row.key, table.heading));
+  }
+  constexpr std::size_t most = 3;  // a word that many tables have says nothing
+  if (places.empty() || places.size() > most) return {};
+  return fmt::format("; did you mean {}?", fmt::join(places, " or "));
 }
 
 }  // namespace
@@ -62,7 +85,16 @@ bool goes_with(const SceneKey& row, std::string_view word) noexcept {
 }
 
 TomlTable open_table(const TomlNode& node, const std::string& file, const SceneTable& table) {
-  return TomlTable(node, file, std::string(table.heading), known_keys(table));
+  const std::vector<std::string> known = known_keys(table);
+  for (const TomlEntry& entry : node.entries) {
+    if (std::ranges::find(known, entry.key) != known.end()) continue;
+    const std::string hint = near_miss_hint(entry.key, known).empty() ? hint_elsewhere(entry.key) : "";
+    if (hint.empty()) break;
+    throw refused(place_text(file, entry.place),
+                  fmt::format("unknown key '{}' in {}{} (known: {})", entry.key, table.heading, hint,
+                              word_list(known)));
+  }
+  return TomlTable(node, file, std::string(table.heading), known);
 }
 
 void read_keys(const SceneTable& table, const TomlTable& from, Scene& scene, std::string_view word) {

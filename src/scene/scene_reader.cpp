@@ -78,6 +78,13 @@ void read_table(const TomlNode& root, std::string_view name, Scene& scene) {
   read_keys(rows, open_table(*node, scene.path, rows), scene);
 }
 
+/// For what is known only once the parts are loaded.
+void note_radius_place(const TomlNode& root, Scene& scene) {
+  const TomlNode* const finger = find_table(root, "finger", scene.path);
+  const TomlEntry* const radius = finger != nullptr ? find_entry(*finger, "radius_m") : nullptr;
+  if (radius != nullptr) scene.finger.radius_place = place_text(scene.path, radius->value.place);
+}
+
 /// A motion that is laid on the first part, or placed in its frame, needs one.
 void refuse_no_part(const TomlNode& motion_node, const Scene& scene) {
   if (!scene.parts.empty() || (!scene.motion.laid && !scene.motion.placement.in_part)) return;
@@ -143,6 +150,7 @@ Scene read_scene(const TomlNode& root, const std::string& path, Missing missing)
                   "'point_m' and 'normal'");
   }
   for (const char* name : {"contact", "friction", "finger", "device"}) read_table(root, name, scene);
+  note_radius_place(root, scene);
   if (const TomlNode* node = find_table(root, "motion", path)) {
     read_motion_settings(*node, scene);
     if (missing == Missing::nothing) refuse_no_part(*node, scene);

@@ -18,8 +18,9 @@ struct World;
 /// What a choice keeps of a scene's force_tolerance on one part.
 struct ContactLimit {
   double kept_tolerance = 0;  ///< force_tolerance where it is kept; else what can be kept in its place
-  std::string said;  ///< what cannot be kept, and what would: "force_tolerance 0.03 cannot be kept, 0.1
-                     ///< can: its facets ...; a finer mesh or a STEP file would"; empty: all is kept
+  std::string said;   ///< what cannot be kept, and what would: "force_tolerance 0.03 cannot be kept, 0.1
+                      ///< can: its facets ...; a finer mesh or a STEP file would"; empty: all is kept
+  std::string why{};  ///< as it stands there: "its facets ..."
 };
 
 /// A contact method and normals for a whole world, and why.

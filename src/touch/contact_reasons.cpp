@@ -143,7 +143,7 @@ ContactLimit limit_of(const ContactVerdict& verdict, std::size_t i, const std::s
   const ContactCase& on = verdict.cases[i];
   const ReckonedError& error = chosen.errors[i];
   const double tolerance = on.contact.force_tolerance;
-  ContactLimit limit{tolerance, {}};
+  ContactLimit limit{tolerance, {}, {}};
   const std::string cannot = fmt::format("force_tolerance {} cannot be kept", rounded_text(tolerance, 3));
   bool tells_instead = false;
   switch (verdict.unkept_on(i)) {
@@ -176,6 +176,7 @@ ContactLimit limit_of(const ContactVerdict& verdict, std::size_t i, const std::s
       limit.said = fmt::format("{}: {}", friction_words(verdict, i), facets_words(on, error));
       break;
   }
+  limit.why = limit.said.substr(limit.said.find(": ") + 2);
   limit.said += "; " + mend;
   // Whoever takes what can be kept of the force is not to find then that mu is not kept either.
   if (const std::string friction = friction_words(verdict, i); tells_instead && !friction.empty())

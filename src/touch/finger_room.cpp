@@ -9,22 +9,18 @@ namespace fingerpad {
 
 NearestSurface nearest_surface(const World& world, const Vec3& p_W, Normals normals, double reach_m,
                                Looks& looks) noexcept {
-  NearestSurface nearest;
-  nearest.clear_m = reach_m;
-  for (std::size_t i = 0; i < world.surfaces.size(); ++i) {
-    const Surface& surface = world.surfaces[i];
-    if (surface.part && !surface.tree) continue;
+  bool is_sure = true;
+  const auto find = [&](std::size_t i) {
     BriefSearch brief{std::max(1L, looks.left())};
-    const WorldPoint at = nearest_point(surface, p_W, normals, brief, reach_m);
+    const WorldPoint at = nearest_point(world.surfaces[i], p_W, normals, brief, reach_m);
     looks.spend(brief.spent);
-    if (brief.broken_off) nearest.is_sure = false;
-    if (!at.found) continue;
-    // Behind an open part one is as free as before it.
-    const bool has_inside = surface.is_plane() || (i < world.verdicts.size() && world.verdicts[i].closed);
-    const double clear_m = has_inside ? at.signed_distance_m : std::abs(at.signed_distance_m);
-    if (nearest.surface >= 0 && clear_m >= nearest.clear_m) continue;
-    nearest = {at, static_cast<int>(i), clear_m, nearest.is_sure};
-  }
+    is_sure = is_sure && !brief.broken_off;
+    return at;
+  };
+  NearestSurface nearest = nearest_of(world, reach_m, find, [&](std::size_t i) {
+    return i < world.verdicts.size() && world.verdicts[i].closed;
+  });
+  nearest.is_sure = is_sure;
   return nearest;
 }
 
@@ -41,6 +37,42 @@ Vec3 stopped_on_line(const World& world, const Vec3& spot_W, const Vec3& up_W, d
     up_m = std::max(0.0, up_m - free_m);
   }
   return spot_W + up_m * up_W;
+}
+
+namespace {
+
+/// What stops a ball on its line.
+struct Stop {
+  Vec3 place_W;
+  NearestSurface by;
+  bool is_stopped;
+};
+
+Stop stop_on_line(const World& world, const Vec3& to_W, const Vec3& up_W, double from_m, double radius_m,
+                  Looks& looks) noexcept {
+  constexpr double hardly_share = 0.01, inside_share = 0.5;
+  const Vec3 place_W = stopped_on_line(world, to_W, up_W, from_m, radius_m, hardly_share * radius_m, looks);
+  const NearestSurface by =
+      nearest_surface(world, place_W, Normals::facet, (1 + 2 * hardly_share) * radius_m, looks);
+  return {place_W, by, by.is_sure && by.surface >= 0 && by.clear_m > inside_share * radius_m};
+}
+
+}  // namespace
+
+std::optional<RimPlace> rim_on_line(const World& world, const Vec3& from_W, const Vec3& to_W, double radius_m,
+                                    Looks& looks) noexcept {
+  const Vec3 line_W = from_W - to_W;
+  const double length_m = line_W.norm();
+  if (!(radius_m > 0) || !(length_m > 0)) return std::nullopt;
+  const Vec3 up_W = line_W / length_m;
+  const double from_m = length_m + 2 * radius_m;
+  const Stop stop = stop_on_line(world, to_W, up_W, from_m, radius_m, looks);
+  if (!stop.is_stopped) return std::nullopt;
+  const Vec3 out_W = stop.place_W - stop.by.at.point_W, aside_W = out_W - out_W.dot(up_W) * up_W;
+  const double aside_m = aside_W.norm();
+  const Vec3 gives_way_W = aside_m > 0 ? Vec3(aside_W * (radius_m / aside_m)) : Vec3::Zero();
+  if (!stop_on_line(world, to_W + gives_way_W, up_W, from_m, radius_m, looks).is_stopped) return std::nullopt;
+  return RimPlace{stop.place_W, stop.by.surface};
 }
 
 }  // namespace fingerpad

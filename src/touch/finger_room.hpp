@@ -1,18 +1,14 @@
 #pragma once
 
+#include <optional>
+
 #include "contact/looks.hpp"
+#include "touch/nearest_of.hpp"
 #include "touch/world.hpp"
 
 namespace fingerpad {
 
-/// What of a world is nearest to a place.
-struct NearestSurface {
-  WorldPoint at;
-  int surface = -1;     ///< -1: nothing within reach
-  double clear_m = 0;   ///< how far away; less than 0 inside of a closed part. The reach where nothing is.
-  bool is_sure = true;  ///< else the looks did not suffice, and something nearer may be there
-};
-
+/// Nearest to a place. Of parts the closed ones have an inside.
 /// @param reach_m  look no farther
 /// @param looks    that it may cost, and pays for. noexcept, allocates nothing.
 NearestSurface nearest_surface(const World& world, const Vec3& p_W, Normals normals, double reach_m,
@@ -26,5 +22,18 @@ NearestSurface nearest_surface(const World& world, const Vec3& p_W, Normals norm
 /// @param hardly_m  so little room is none
 Vec3 stopped_on_line(const World& world, const Vec3& spot_W, const Vec3& up_W, double from_m, double radius_m,
                      double hardly_m, Looks& looks) noexcept;
+
+/// Where a ball rests on a hole that it is too large for.
+struct RimPlace {
+  Vec3 centre_W;
+  int surface;  ///< that stops it
+};
+
+/// The rim on which a ball is stopped that comes down a line, though the line itself may meet nothing. None
+/// where the ball gets through, or by what it meets: it gives way by its radius, and goes on. None where the
+/// looks do not suffice. noexcept, allocates nothing.
+/// @param from_W, to_W  ends of the line, outside of all parts
+std::optional<RimPlace> rim_on_line(const World& world, const Vec3& from_W, const Vec3& to_W, double radius_m,
+                                    Looks& looks) noexcept;
 
 }  // namespace fingerpad

@@ -41,6 +41,16 @@ std::string lower_rate_words(double rate_hz, double least_tick_s) {
   return fmt::format("--rate {} (rate_hz in the scene)", number_text(*found));
 }
 
+/// @param mend  what may mend it
+std::string lagging_words(double ticks, std::string_view where, std::string_view told,
+                          std::string_view mend) {
+  if (!(ticks > 0)) return {};
+  return fmt::format(
+      "{} unsettled {}{}: the proxy lags behind there, since a tick's work is bounded, and the force is not "
+      "to be trusted{}; {} may mend it",
+      ticks, ticks == 1 ? "tick" : "ticks", where, told, mend);
+}
+
 }  // namespace
 
 void FeltSum::note(const TickRecord& tick) noexcept {
@@ -69,11 +79,11 @@ std::string touch_end_words(const FeltSum& felt, const ServoTiming& timing, doub
 }
 
 std::string unsettled_words(double ticks, std::string_view where, std::string_view told) {
-  if (!(ticks > 0)) return {};
-  return fmt::format(
-      "{} unsettled {}{}: the proxy lags behind there, since a tick's work is bounded, and the force is not "
-      "to be trusted{}; a smaller depth, a slower motion or a higher motion.rate_hz may mend it",
-      ticks, ticks == 1 ? "tick" : "ticks", where, told);
+  return lagging_words(ticks, where, told, "a smaller depth, a slower motion or a higher motion.rate_hz");
+}
+
+std::string live_unsettled_words(double ticks) {
+  return lagging_words(ticks, "", "", "a lighter press or a slower motion");
 }
 
 std::string late_advice(const ServoTiming& timing, double rate_hz, RealTime real_time) {

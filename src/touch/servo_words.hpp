@@ -24,10 +24,12 @@ enum class RealTime { not_asked, granted, refused };
 /// What was felt and how the ticks kept their time, in lines.
 std::string touch_end_words(const FeltSum& felt, const ServoTiming& timing, double rate_hz);
 
-/// That so many ticks were unsettled, of a live touch as of a replay; empty where none was.
+/// That so many ticks of a replay were unsettled; empty where none was.
 /// @param where  " in job 3"; empty where there is but one run
 /// @param told   " (unsettled_ticks in summary.csv)": where each run's are written; empty where nowhere
 std::string unsettled_words(double ticks, std::string_view where, std::string_view told);
+/// The same of a touch that has just ended: what a hand may do about it.
+std::string live_unsettled_words(double ticks);
 
 /// Where over a hundredth of the ticks began late: whether the ticks themselves or the machine is too slow,
 /// and what would mend it. Else empty.

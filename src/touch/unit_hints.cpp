@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/error.hpp"
 #include "base/number_text.hpp"
 #include "part/unit_hint.hpp"
 #include "scene/scene.hpp"
@@ -16,21 +17,44 @@ void add_unit_hint(const Verdict& verdict, const PartEntry& part, std::vector<st
   if (!hint.empty()) lines.push_back(fmt::format("{}: {}", verdict.file, hint));
 }
 
-/// Rule: no fingertip is as large as a decimetre and larger than all that it touches.
-std::string finger_hint(const World& world, const Scene& scene) {
-  constexpr double too_large_m = 0.1, metres_per_mm = 1e-3;
-  const double radius_m = scene.finger.radius_m;
+namespace {
+
+double longest_part_m(const World& world) {
   double longest_m = 0;
   for (const Verdict& verdict : world.verdicts) {
     if (verdict.touchable)
       longest_m = std::max(longest_m, (verdict.bounds_m.max - verdict.bounds_m.min).maxCoeff());
   }
-  if (!(longest_m > 0) || !(radius_m > too_large_m && radius_m > longest_m)) return {};
+  return longest_m;
+}
+
+std::string radius_place(const Scene& scene) {
+  return scene.finger.radius_place.empty() ? "finger.radius_m" : scene.finger.radius_place;
+}
+
+std::string radius_words(double radius_m, double longest_m) {
+  constexpr double metres_per_mm = 1e-3;
   return fmt::format(
-      "finger.radius_m: {} m, where the longest part is {} m long; it is in metres: if millimetres are "
-      "meant, "
-      "radius_m = {}",
+      "a finger of radius_m = {}, where the longest part is {} m long; it is in metres: if millimetres are "
+      "meant, radius_m = {}",
       rounded_text(radius_m, 3), rounded_text(longest_m, 3), rounded_text(metres_per_mm * radius_m, 3));
+}
+
+}  // namespace
+
+/// Rule: no fingertip is as large as a decimetre and larger than all that it touches.
+std::string finger_hint(const World& world, const Scene& scene) {
+  constexpr double too_large_m = 0.1;
+  const double radius_m = scene.finger.radius_m, longest_m = longest_part_m(world);
+  if (!(longest_m > 0) || !(radius_m > too_large_m && radius_m > longest_m)) return {};
+  return fmt::format("{}: {}", radius_place(scene), radius_words(radius_m, longest_m));
+}
+
+void refuse_huge_finger(const World& world, const Scene& scene) {
+  constexpr double huge_m = 0.5;
+  const double radius_m = scene.finger.radius_m, longest_m = longest_part_m(world);
+  if (!(longest_m > 0) || !(radius_m > std::max(huge_m, longest_m)) || !scene.planes.empty()) return;
+  throw refused(radius_place(scene), radius_words(radius_m, longest_m));
 }
 
 std::vector<std::string> unit_hints(const World& world, const Scene& scene) {

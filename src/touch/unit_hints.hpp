@@ -15,6 +15,9 @@ void add_unit_hint(const Verdict& verdict, const PartEntry& part, std::vector<st
 
 /// A line for a finger whose radius is meant in millimetres: larger than all parts; empty for others.
 std::string finger_hint(const World& world, const Scene& scene);
+/// Throws Error (refused) of one that is over half a metre, too, and presses with thousands of newtons then;
+/// but where there is a plane, on which a large ball may roll.
+void refuse_huge_finger(const World& world, const Scene& scene);
 
 /// A line for each part that was read in an unlikely unit: "FILE: is 0.1 mm long; ..." (unit_hint); and for
 /// the finger.

@@ -7,6 +7,7 @@
 
 #include "part/part.hpp"
 #include "touch/mesh_store.hpp"
+#include "touch/unit_hints.hpp"
 
 namespace fingerpad {
 
@@ -89,6 +90,7 @@ std::shared_ptr<const World> load_world(const Scene& scene, MeshStore& meshes) {
     surface.plane_normal_W = entry.normal;
     world->surfaces.push_back(std::move(surface));
   }
+  refuse_huge_finger(*world, scene);  // before a choice is reckoned for it
   world->contact = chosen_contact(*world, scene, meshes, loaded);
   prepare_normals(*world, scene);
   return world;

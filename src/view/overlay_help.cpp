@@ -1,7 +1,11 @@
 #include "view/overlay_help.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "view/colours.hpp"
 #include "view/overlay_words.hpp"
@@ -37,6 +41,7 @@ void paint_help_head(Drawing& drawing, const OverlayFacts& facts, const Box& pag
 /// How the help page's lines lie in its room.
 struct HelpLines {
   double size, line, columns;  ///< letters and lines [px]
+  double per_column;           ///< so many lines
 };
 
 HelpLines help_lines(const OverlayFacts& facts, const Box& room, double height, double em) {
@@ -46,8 +51,24 @@ HelpLines help_lines(const OverlayFacts& facts, const Box& room, double height, 
   // Rather close to each other, and a little smaller, than cut: two columns may be too narrow.
   const double size = std::min(em, height / rows / least_line_em);
   const bool is_narrow = help_column_em * em * columns > room.width;
-  if (is_narrow && size >= least_size * em) return {size, std::min(line, height / rows), 1};
-  return {em, line, columns};
+  if (is_narrow && size >= least_size * em) return {size, std::min(line, height / rows), 1, rows};
+  // In columns that are narrower than this nothing can be read: rather fewer lines.
+  constexpr double least_column_em = 20;
+  const double room_for = std::max(1.0, std::floor(room.width / (least_column_em * em)));
+  if (columns <= room_for) return {em, line, columns, std::ceil(rows / columns)};
+  const double close = least_line_em * em, most = std::max(1.0, std::floor(height / close));
+  return {em, close, room_for, std::min(most, std::ceil(rows / room_for))};
+}
+
+/// The lines that there is room for; of the rest, how many they are.
+std::vector<std::string> shown_lines(const OverlayFacts& facts, const HelpLines& lie) {
+  std::vector<std::string> lines = facts.help;
+  const auto most = static_cast<std::size_t>(lie.columns * lie.per_column);
+  if (lines.size() <= most) return lines;
+  const std::size_t left_out = lines.size() - most + 1;
+  lines.resize(most);
+  lines.back() = fmt::format("{} more: enlarge this", left_out);
+  return lines;
 }
 
 /// "key: what it does".
@@ -65,8 +86,8 @@ void paint_help_entry(Drawing& drawing, const Vec2& at, const std::string& entry
 
 void paint_help(Drawing& drawing, const OverlayFacts& facts, const Box& room, double em) {
   const double head = 3.2 * em, foot = 0.6 * em;
-  const auto [size, line, columns] = help_lines(facts, room, room.height - head - foot - 0.4 * em, em);
-  const double per_column = std::ceil(static_cast<double>(facts.help.size()) / columns);
+  const HelpLines lie = help_lines(facts, room, room.height - head - foot - 0.4 * em, em);
+  const auto& [size, line, columns, per_column] = lie;
   const double height = line * per_column + head + foot;
   const double width = std::min(help_column_em * em * columns, room.width - em);
   const Box box{room.centre().x() - width / 2, room.centre().y() - height / 2, width, height};
@@ -74,12 +95,12 @@ void paint_help(Drawing& drawing, const OverlayFacts& facts, const Box& room, do
   drawing.frame(box, {colours::ink, 0.12 * em});
   paint_help_head(drawing, facts, box, em);
   const double column_width = (width - em) / columns;
-  for (std::size_t i = 0; i < facts.help.size(); ++i) {
-    const std::string& entry = facts.help[i];
+  const std::vector<std::string> entries = shown_lines(facts, lie);
+  for (std::size_t i = 0; i < entries.size(); ++i) {
     const double column = std::floor(static_cast<double>(i) / per_column);
     const double left = box.left + em + column * column_width;
     const double y = box.top() - head + line / 2 - line * (static_cast<double>(i + 1) - column * per_column);
-    paint_help_entry(drawing, {left, y}, entry, size, column_width);
+    paint_help_entry(drawing, {left, y}, entries[i], size, column_width);
   }
 }
 

@@ -30,7 +30,7 @@ class TouchWindow {
         stage_(input.view, options.width, options.height, true, false),
         pointer_(input, first_target(),
                  [this](const Vec3& from_mm, const Vec3& to_mm) {
-                   return stage_.world().first_hit(from_mm, to_mm);
+                   return stage_.world().finger_hit(from_mm, to_mm, finger_radius_m());
                  }),
         changed_(input.view),
         levels_(touch_levels(changed_)),
@@ -50,6 +50,8 @@ class TouchWindow {
   void run() { loop_.run(); }
 
  private:
+  double finger_radius_m() const { return input_.view.scene ? input_.view.scene->finger.radius_m : 0; }
+
   TouchTarget first_target() {
     constexpr double hover_share = 0.05;
     const Scene scene = input_.view.scene.value_or(Scene{});
@@ -90,8 +92,15 @@ class TouchWindow {
 
   void change_material(int row, int steps) {
     const std::string told = material_->step(row, steps);
-    if (!told.empty()) loop_.tell(told);
+    if (!told.empty()) loop_.tell(material_told_ = told);
     stage_.panels().show(material_->panel());
+  }
+
+  /// With what was told of it.
+  void hide_material() {
+    stage_.panels().hide(material_panel);
+    if (!material_told_.empty() && stage_.words().message == material_told_) loop_.tell("");
+    material_told_.clear();
   }
 
   /// A change holds from its tick on: in the title, and in the charts' lines of friction. A recording that is
@@ -113,7 +122,7 @@ class TouchWindow {
     const bool shown = stage_.panels().shows(material_panel);
     switch (action) {
       case KeyAction::materials:
-        shown ? stage_.panels().hide(material_panel) : stage_.panels().show(material_->panel());
+        shown ? hide_material() : stage_.panels().show(material_->panel());
         return true;
       case KeyAction::next_row:
         if (shown) material_->select((material_->selected() + 1) % MaterialPanel::row_count);
@@ -207,6 +216,7 @@ class TouchWindow {
   ViewInput changed_;  ///< the view, with the changes that were made so far
   TouchLevels levels_;
   std::optional<MaterialPanel> material_;
+  std::string material_told_;  ///< last, while it is shown
   double since_chart_s_ = live_chart_period_s;
   double kept_away_s_ = 0;  ///< for how long the finger has been too large for its spot
   WindowLoop loop_;

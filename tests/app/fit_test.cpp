@@ -43,6 +43,13 @@ TEST_F(Fit, TellsEachNumberAndGivesTheSameProfileEachTime) {
   EXPECT_EQ(profile, test::bytes_of(folder / "two.toml"));
 }
 
+TEST_F(Fit, SaysThatItReplacedAProfile) {
+  const std::string call = shipped.string() + " --out pad.toml";
+  const std::string words = "fingerpad: pad.toml: replaced the file that was there\n";
+  EXPECT_THAT(fit(call).err, Not(HasSubstr(words)));
+  EXPECT_THAT(fit(call).err, HasSubstr(words));
+}
+
 TEST_F(Fit, ReplayTakesTheProfile) {
   ASSERT_EQ(fit(shipped.string() + " --out finger.toml --quiet").exit_code, 0);
   std::ofstream(folder / "rub.toml")

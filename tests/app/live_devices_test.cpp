@@ -77,6 +77,18 @@ TEST(LiveDevices, AreRefusedBeforeAMeshIsLoaded) {
   EXPECT_THAT(told("recorded", 3), HasSubstr("the scene has no motion to follow"));
 }
 
+TEST(LiveDevices, AreRefusedAfterAFaultOfTheScene) {
+  const fs::path folder = test::scratch_dir();
+  test::write_file(folder, "typo.toml", std::string(live_floor) + "[fnger]\n");
+  const auto told = test::fingerpad("touch typo.toml --headless", folder);
+  EXPECT_EQ(told.exit_code, 3);
+  EXPECT_THAT(told.err, HasSubstr("did you mean 'finger'?"));
+  test::write_file(folder, "floor.toml", live_floor);
+  const auto sound = test::fingerpad("touch floor.toml --headless", folder);
+  EXPECT_EQ(sound.exit_code, 2);
+  EXPECT_THAT(sound.err, HasSubstr("--headless: --device mouse is moved in a window"));
+}
+
 TEST(LiveKeyboard, KeysOfATerminalMoveTheFingerAndEndTheTouch) {
   const fs::path folder = test::scratch_dir();
   test::write_file(folder, "floor.toml", live_floor);

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 
+#include "device/pointed_worlds.hpp"
 #include "scene/scene.hpp"
+#include "support/effort.hpp"
 #include "support/worlds.hpp"
 #include "touch/touch.hpp"
 
@@ -125,6 +127,53 @@ TEST(HandFinger, LandsSoftlyBelowALedge) {
   EXPECT_LT(most_n(below, 1), 1.3 * press_n);
   const double at_rest_n = most_n(below, 0.2);
   EXPECT_NEAR(at_rest_n, press_n, 0.2 * press_n) << "and in time";
+}
+
+/// What a pointer on its way did to a hand of defaults over a shipped scene.
+test::PointerRun walk(const std::string& name, std::uint64_t seed, double press_n) {
+  Scene scene = read_scene_file((test::source_dir() / "scenes" / (name + ".toml")).string()).scene;
+  scene.hand.reset();
+  const test::PointedWorld pointed(name, scene, load_world(scene));
+  test::PointerWalk walk(pointed, seed, press_n);
+  HandFinger finger({scene, pointed.world, walk.start(), {}, HandSettings{}}, 1 / scene.motion.rate_hz);
+  return walk.run(finger, 1.2, 1.2);
+}
+
+const int walk_count = test::sanitized() ? 3 : 12;
+
+// Drawn along by its weak spring alone it would swing into rims.
+TEST(HandFinger, HoversWithoutTouching) {
+  int there = 0;
+  for (int k = 0; k < walk_count; ++k) {
+    for (const char* name : {"housing", "bracket"}) {
+      SCOPED_TRACE(testing::Message() << "path " << k << " over " << name);
+      const test::PointerRun run = walk(name, 5000 + static_cast<std::uint64_t>(k), 0);
+      EXPECT_EQ(run.touched, 0) << "up to " << run.most_n << " N";
+      there += run.last_off_m < 0.01 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(there, walk_count) << "and comes to where it is wanted, of " << 2 * walk_count;
+}
+
+TEST(HandFinger, PressesNoHarderThanTheScenesGreatest) {
+  int pressed = 0;
+  for (int k = 0; k < walk_count; ++k) {
+    for (const char* name : {"housing", "bracket"}) {
+      for (const double press_n : {1.0, 5.0}) {
+        SCOPED_TRACE(testing::Message() << "path " << k << " over " << name << " with " << press_n << " N");
+        const test::PointerRun run = walk(name, 6000 + static_cast<std::uint64_t>(k), press_n);
+        EXPECT_LE(run.most_n, 10);
+        pressed += run.last_n > 0.5 * press_n ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(pressed, 2 * walk_count) << "of " << 4 * walk_count;
+}
+
+TEST(HandFinger, SaysWhichHandItTakesWhereTheSceneHasNone) {
+  const Scene scene = test::plane_scene("none");
+  EXPECT_NE(HandFinger({scene, nullptr, {}}, 1e-3).opening_words().find("no [hand]"), std::string::npos);
+  EXPECT_EQ(HandFinger({scene, nullptr, {}, {}, HandSettings{}}, 1e-3).opening_words(), "");
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <utility>
 
 #include "scene/scene.hpp"
 #include "support/shapes.hpp"
@@ -72,6 +73,49 @@ TEST(OpenPlace, HasNoRoomNearWhatABrokenOffSearchHasFound) {
   aim.spot_W = Vec3(0, 0, -sphere_m);
   open.aim(aim);
   EXPECT_FALSE(open.has_room());
+}
+
+/// The lower part of a sphere, open above.
+TriangleSoup bowl_soup(double bowl_m, int subdivisions) {
+  TriangleSoup soup = test::sphere_soup(bowl_m, subdivisions);
+  int kept = 0;
+  for (int t = 0; t < soup.triangles.cols(); ++t) {
+    if (soup.vertices_P(2, soup.triangles(0, t)) > 0) continue;
+    soup.triangles.col(kept++) = soup.triangles.col(t).eval();
+  }
+  soup.triangles.conservativeResize(3, kept);
+  return soup;
+}
+
+/// How high over its lowest place a finger is held in so many bowls that lie in one another, at once and
+/// after a pointer has rested.
+std::pair<double, double> held_in_bowls(std::size_t count) {
+  constexpr double bowl_m = 0.02, soft_m = 1e-4;
+  const Scene scene = fingertip_scene();
+  World world = *test::world_of(bowl_soup(bowl_m, 5));
+  const Surface coarse = test::world_of(bowl_soup(bowl_m, 3))->surfaces.front();
+  world.surfaces.insert(world.surfaces.end(), count, coarse);
+  const auto shared = std::make_shared<World>(world);
+  const Surroundings around(shared, scene);
+  OpenPlace open(*shared, around, soft_m);
+  PointerAim aim = press_at(0, scene.finger.radius_m);
+  aim.spot_W = aim.finger.p_WQ = Vec3(0, 0, -bowl_m);  // in the bowl's wall: no room
+  open.aim(aim);
+  EXPECT_FALSE(open.has_room());
+  const double lowest_m = scene.finger.radius_m - bowl_m, first_m = open.place_W().z();
+  for (int k = 0; k < 100; ++k) open.aim(aim);
+  return {first_m - lowest_m, open.place_W().z() - lowest_m};
+}
+
+// About the middle of a fine bowl all triangles are as near as any: there a tick's looks may end.
+TEST(OpenPlace, LooksFurtherUnderAPointerThatRests) {
+  bool ended = false;
+  for (std::size_t count = 0; count <= 16 && !ended; ++count) {
+    const auto [first_m, last_m] = held_in_bowls(count);
+    ended = first_m > 1e-3;
+    EXPECT_LT(last_m, 0.02 * first_m + 1e-4) << "first " << first_m << " with " << count;
+  }
+  EXPECT_TRUE(ended) << "the looks sufficed at once";
 }
 
 }  // namespace

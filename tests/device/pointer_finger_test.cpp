@@ -5,6 +5,7 @@
 
 #include "device/pointed_worlds.hpp"
 #include "device/pointer_hand.hpp"
+#include "device/pointer_limits.hpp"
 #include "support/effort.hpp"
 #include "support/shapes.hpp"
 #include "support/worlds.hpp"
@@ -69,6 +70,28 @@ TEST(PointerFinger, NeverStrikesTwiceAsHardWhereThePointerJumpsOffThePartAndBack
   }
   EXPECT_GT(touched, path_count / 4);
   fmt::print("{} of {} pressed, with up to {:.3f} of what was asked for\n", touched, path_count / 2, hardest);
+}
+
+// Also where another wall would take over more than is asked for. Between walls that together press harder at
+// once nothing but a longer step keeps the force: that is rare.
+TEST(PointerFinger, GoesNoFartherInATickOfAPressThanItGoesAside) {
+  const auto worlds = pointed_worlds();
+  int jumped = 0;
+  double farthest = 0;
+  for (int k = 0; k < path_count; ++k) {
+    const PointedWorld& pointed = worlds[static_cast<std::size_t>(k) % worlds.size()];
+    const double wanted_n = k % 2 == 0 ? 10 : 3, dt_s = 1 / pointed.scene.motion.rate_hz;
+    SCOPED_TRACE(fmt::format("path {} over {}, {} N", k, pointed.name, wanted_n));
+    const PointerRun run = PointerWalk(pointed, 9000 + static_cast<std::uint64_t>(k), wanted_n).run(1.2, 0.2);
+    const double fastest_m =
+        dt_s * std::max(pointer_limits::lifting_m_per_s, pointer_limits::fastest_per_s * pointed.radius_m);
+    EXPECT_LE(run.most_n, 1.8 * wanted_n);
+    // Aside and in together.
+    jumped += run.most_touching_step_m > 1.5 * fastest_m ? 1 : 0;
+    farthest = std::max(farthest, run.most_touching_step_m);
+  }
+  EXPECT_LE(jumped, std::max(1, path_count / 100));
+  fmt::print("{} of {} jumped, by up to {:.2f} mm\n", jumped, path_count, 1e3 * farthest);
 }
 
 /// Presses on (0, 0, top) of a world for a second. @returns the normal forces of its ticks

@@ -91,7 +91,8 @@ struct PointerRun {
   double last_off_m = 0;         ///< of the finger from the spot, at rest
   bool ends_on_part = false;
   int touched = 0, ticks = 0;
-  double most_step_m = 0;  ///< of a tick
+  double most_step_m = 0;           ///< of a tick
+  double most_touching_step_m = 0;  ///< of a tick after one that touched
 };
 
 /// A pointer that jumps, sweeps, trembles and leaves the part, seen from a direction of its own; it rests in
@@ -105,14 +106,24 @@ class PointerWalk {
   }
 
   PointerRun run(double seconds, double rest_s) {
+    PointerFinger finger({pointed_.scene, pointed_.world, start()});
+    return run(finger, seconds, rest_s);
+  }
+
+  /// Where a finger is at first.
+  FingerSample start() const {
     FingerSample start;
     start.p_WQ =
         pointed_.middle_W + Vec3(0.35, -0.6, 0.72).normalized() * (1.2 * pointed_.radius_m + 2 * radius_m());
-    PointerFinger finger({pointed_.scene, pointed_.world, start});
+    return start;
+  }
+
+  PointerRun run(LiveDevice& finger, double seconds, double rest_s) {
     Touch touch(pointed_.world, pointed_.scene);
     const double dt_s = 1 / pointed_.scene.motion.rate_hz;
     PointerRun run;
-    Vec3 last_W = start.p_WQ;
+    Vec3 last_W = start().p_WQ;
+    bool touched = false;
     double next_event_s = 0.01;
     const int ticks = static_cast<int>((seconds + rest_s) / dt_s);
     for (int k = 0; k < ticks; ++k) {
@@ -132,7 +143,10 @@ class PointerWalk {
       const TickRecord row = touch.tick(sample);
       finger.feel(row);
       note(row, run);
-      run.most_step_m = std::max(run.most_step_m, (sample.p_WQ - last_W).norm());
+      const double step_m = (sample.p_WQ - last_W).norm();
+      run.most_step_m = std::max(run.most_step_m, step_m);
+      if (touched) run.most_touching_step_m = std::max(run.most_touching_step_m, step_m);
+      touched = row.walls > 0;
       last_W = sample.p_WQ;
     }
     run.ticks = ticks;
@@ -156,7 +170,7 @@ class PointerWalk {
     up_W_ = towards_eye_W_.cross(right_W_);
   }
 
-  void point(PointerFinger& finger, double t_s) {
+  void point(LiveDevice& finger, double t_s) {
     const Vec3 from_W =
         pointed_.middle_W + pointed_.radius_m * (4 * towards_eye_W_ + at_.x() * right_W_ + at_.y() * up_W_);
     const auto spot = spot_under(pointed_, from_W, -towards_eye_W_);

@@ -165,6 +165,22 @@ TEST(StillPointer, PressesOnTheRimThatItCannotPass) {
   expect_rests(pointer, 0.2, 5);
 }
 
+// Ten times less, by the wheel: from one tick to the next that is a way of 9 mm.
+TEST(StillPointer, GoesOutNoFasterWhereLessIsAskedFor) {
+  const PointedWorld pointed = scene_of("bracket");
+  const auto spot = spot_at(pointed, 28, 33, 90);
+  ASSERT_TRUE(spot);
+  StillPointer pointer(pointed, *spot, 10);
+  pointer.roams_m(1);
+  ASSERT_GT(pointer.last().depth_m, 5e-3);
+  pointer.point(pointed, *spot, 1);
+  pointer.roams_m(0.1);
+  const double fastest_m_per_s =
+      std::max(pointer_limits::lifting_m_per_s, pointer_limits::fastest_per_s * pointed.radius_m);
+  EXPECT_LT(pointer.most_step_m(), 1.01 * fastest_m_per_s * pointer.tick_s());
+  EXPECT_NEAR(pointer.last().normal_force_n, 1, 0.2);
+}
+
 // Also from 10 mm deep.
 TEST(StillPointer, IsLetGoNoFasterThanItGoesElsewhere) {
   const PointedWorld pointed = scene_of("bracket");

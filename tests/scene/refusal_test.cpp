@@ -13,6 +13,7 @@ using test::plane_scene;
 using test::refusal;
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 
 // Lines 1-4 are the plane's; what a test adds starts at line 5.
@@ -28,6 +29,18 @@ TEST(SceneRefusal, NamesFileLineAndColumnOfAnUnknownKey) {
               StartsWith("s.toml:3:30: unknown key 'angle' in rotation of [[part]]"));
   EXPECT_THAT(refusal(plane_scene + "[friction]\nvibration = { hz = 3 }\n"),
               StartsWith("s.toml:6:15: unknown key 'hz' in vibration of [friction]"));
+}
+
+TEST(SceneRefusal, NamesTheTableOfAKeyThatStandsInAnother) {
+  EXPECT_THAT(refusal("[[part]]\nmesh = \"a\"\nstick_stiffness = 800\n"),
+              StartsWith("s.toml:3:1: unknown key 'stick_stiffness' in [[part]]; did you mean "
+                         "'stick_stiffness_per_m' in [friction] or 'stick_stiffness_n_per_m' in [friction]? "
+                         "(known: mesh, "));
+  EXPECT_THAT(refusal(plane_scene + "[friction]\nmu_static = 0.3\n"),
+              HasSubstr("; did you mean 'mu_static' in [[part]] or 'mu_static' in [[plane]]?"));
+  // What is like a key of its own table is meant to be that one.
+  EXPECT_THAT(refusal(plane_scene + "[contact]\nmethd = \"x\"\n"), HasSubstr("; did you mean 'method'?"));
+  EXPECT_THAT(refusal("[[part]]\nmesh = \"a\"\ncolour = 3\n"), Not(HasSubstr("did you mean")));
 }
 
 TEST(SceneRefusal, NamesThePlaceOfAWrongType) {

@@ -35,6 +35,29 @@ TEST(FingerRoom, ABallThatComesDownIntoASlotStopsOnItsEdges) {
   }
 }
 
+TEST(FingerRoom, AFingerRestsOnTheRimOfASlotThatItsLineFallsThrough) {
+  const World world = slot(true);
+  const auto rim_at = [&](double x_m, double radius_m) {
+    Looks looks(20000);
+    return rim_on_line(world, {x_m, 0, 0.1}, {x_m, 0, -0.1}, radius_m, looks);
+  };
+  for (const double radius_m : {0.0035, 0.007, 0.02}) {
+    for (const double x_m : {-0.0028, 0.0, 0.0015}) {
+      SCOPED_TRACE(testing::Message() << radius_m << " m at " << x_m);
+      const auto rim = rim_at(x_m, radius_m);
+      ASSERT_TRUE(rim);
+      const double nearer_m = 0.003 - std::abs(x_m);
+      EXPECT_NEAR(rim->centre_W.z(), std::sqrt(radius_m * radius_m - nearer_m * nearer_m), 0.02 * radius_m);
+      EXPECT_EQ(rim->centre_W.x(), x_m);
+      EXPECT_EQ(rim->surface, 0);
+    }
+  }
+  EXPECT_FALSE(rim_at(0, 0.002)) << "there is room for this one";
+  EXPECT_FALSE(rim_at(0, 0)) << "and for a point";
+  EXPECT_FALSE(rim_at(0.056, 0.007)) << "beside the part, by less than a radius: it slips off";
+  EXPECT_FALSE(rim_at(0.2, 0.007)) << "far beside it";
+}
+
 TEST(FingerRoom, InsideOfAClosedPartIsLessThanNoRoom) {
   for (const bool closed : {true, false}) {
     const World world = slot(closed);
@@ -50,8 +73,8 @@ TEST(FingerRoom, InsideOfAClosedPartIsLessThanNoRoom) {
   }
 }
 
-// About the middle of a fine bowl all triangles are as near as any: forty searches there took as long as a
-// hundred ticks.
+// About the middle of a fine bowl all triangles are as near as any: searches without a bound would take a
+// hundred ticks' time there.
 TEST(FingerRoom, WhereTheLooksDoNotSufficeItIsStoppedClearOfEverything) {
   constexpr double bowl_m = 0.02, radius_m = 0.007, hardly_m = 1e-5;
   const World world = *test::world_of(test::sphere_soup(bowl_m, 5));

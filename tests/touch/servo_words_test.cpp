@@ -100,6 +100,11 @@ TEST(ServoWords, TellOfUnsettledTicks) {
   EXPECT_EQ(unsettled_words(static_cast<double>(felt.unsettled), "", "").find("2 unsettled ticks: the proxy"),
             0);
   EXPECT_EQ(unsettled_words(1, " in job 3", " (here)").find("1 unsettled tick in job 3: the proxy"), 0);
+  EXPECT_THAT(unsettled_words(1, "", ""), HasSubstr("a higher motion.rate_hz may mend it"));
+  EXPECT_EQ(live_unsettled_words(0), "");
+  // Whoever holds a mouse has no rate to turn.
+  EXPECT_THAT(live_unsettled_words(2), AllOf(HasSubstr("2 unsettled ticks: "), Not(HasSubstr("rate")),
+                                             HasSubstr("a lighter press or a slower motion may mend it")));
 }
 
 }  // namespace

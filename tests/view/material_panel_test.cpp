@@ -245,6 +245,18 @@ TEST(MaterialPanel, IsOpenedByAKeyAndChangedByTheMouseAndTheKeys) {
   EXPECT_EQ(touch.reports.back().message, "mu dynamic: 0.15");
 }
 
+TEST(MaterialPanel, TakesWhatItToldWithItWhenItIsClosed) {
+  StillTouch open, closed;
+  const std::vector<WindowEvent> changed{
+      {0.1, Kind::key, "m"}, {0.2, Kind::key, "Tab"}, {0.3, Kind::key, "bracketright"}};
+  open.play(changed, 0.8);
+  EXPECT_NE(open.reports.back().message, "");
+  std::vector<WindowEvent> then = changed;
+  then.push_back({0.5, Kind::key, "m"});
+  closed.play(then, 0.8);
+  EXPECT_EQ(closed.reports.back().message, "");
+}
+
 TEST(PartTree, HidesAPartByAClickSoThatTheMouseGoesThroughIt) {
   const Layout layout = layout_for(900, 600, true, false);
   SidePanels same;

@@ -89,6 +89,31 @@ TEST(TouchWindow, TheFingerHoversUnderTheMouseAndPressesWhileTheButtonIsHeld) {
   EXPECT_GT(touch.reports.back().t_s, 1.0);  // the window kept up with the servo's time
 }
 
+// In the middle of the ring the eye's line meets nothing: a finger that does not fit through rests on it.
+TEST(TouchWindow, APressOverAHoleThatIsTooNarrowLandsOnItsRim) {
+  const Layout layout = layout_for(600, 400, true, false);
+  const int x = static_cast<int>(layout.scene.centre().x()), y = static_cast<int>(layout.scene.centre().y());
+  for (const double radius_m : {0.035, 0.007}) {
+    SCOPED_TRACE(radius_m);
+    LiveTouch touch;
+    touch.view.scene->finger.radius_m = radius_m;
+    touch.play({{0.1, Kind::move, "", ring_x, ring_y},
+                {0.4, Kind::move, "", x, y},
+                {1.0, Kind::press, "", x, y},
+                {1.5, Kind::move, "", x + 2, y}},
+               3);
+    ASSERT_FALSE(touch.reports.empty());
+    const bool is_too_narrow = radius_m > 0.03;
+    EXPECT_EQ(touch.reports.back().pressing, is_too_narrow);
+    EXPECT_EQ(touch.latest.back().walls > 0, is_too_narrow);
+    const Vec3 before = touch.reports.front().towards_eye_W, after = touch.reports.back().towards_eye_W;
+    EXPECT_EQ(before == after, is_too_narrow) << "else the button is the view's";
+    if (is_too_narrow) {
+      EXPECT_NEAR(touch.latest.back().normal_force_n, 1, 0.2);
+    }
+  }
+}
+
 TEST(TouchWindow, FeelsThePointerThatItOpensUnder) {
   const auto target_after = [](std::vector<WindowEvent> events) {
     LiveTouch touch;
