@@ -127,10 +127,12 @@ bool Proxy::advance(const ProxyStep& step, const ProxyLeash& leash) noexcept {
   state_.contact.settled = !(share < 1);
   if (!state_.contact.settled) return true;
   if (step.end == StepEnd::truncated) return false;
-  if (step.wall_count == 0) state_.place_O = step.goal_O;
+  // One that found no way may have let go of all its walls, and is free of none.
+  const bool is_free = step.wall_count == 0 && step.end != StepEnd::stuck;
+  if (is_free) state_.place_O = step.goal_O;
   // Else the finger has gone on since the step was broken off.
   const bool is_last = step.goal_O == state_.goal_O;
-  return is_last && (step.wall_count == 0 || step.z.norm() <= world().tolerance_m() || is_at_rest(step));
+  return is_last && (is_free || step.z.norm() <= world().tolerance_m() || is_at_rest(step));
 }
 
 /// Whether each triangle that holds the proxy shows it, from its new place, the wall that the step was made

@@ -47,13 +47,14 @@ int find_foot_around(const Part& part, int t, FacetView view, Vec3& foot) noexce
   constexpr int most_edges = 8;
   const Vec3 normal = part.facet_normals.col(t);
   int bent = 0, most_bent = 2;
+  bool hardly_turns = true;
   for (int k = 0; k < most_edges; ++k) {
     const int edge = view.edge_farthest_behind(), next = part.neighbours(edge, t);
     if (next < 0) return -1;
     if (has_crease(part, t, edge)) most_bent = 1;
     bent += are_level(part, t, next) ? 0 : 1;
-    const bool is_near = most_bent > 1 && normal.dot(part.facet_normals.col(next)) > hardly_turned_cos;
-    if (bent > most_bent && !is_near) return -1;
+    hardly_turns = hardly_turns && normal.dot(part.facet_normals.col(next)) > hardly_turned_cos;
+    if (bent > most_bent && !(hardly_turns && most_bent > 1)) return -1;
     t = next;
     view = FacetView(part, next, view.q);
     if (view.find_foot(foot)) return t;

@@ -54,10 +54,12 @@ struct FacetFoot {
   int triangle = -1;  ///< -1: there is none
 };
 
-/// The point of triangle t's facet under p_P, or of the facet across the edge where p_P lies beyond that, or,
-/// where the surface is smooth, of the next one past a corner, or of one some edges on where it hardly turns
-/// on the way; none where none of them has one. Triangles in one plane count as one facet, as far as a few
-/// edges on. No other triangle is looked at: one may be nearer.
+/// The point under p_P of the first of these that has one:
+///   triangle t's facet;
+///   those that the way from there to p_P leads over, edge by edge: one beyond a crease, or two where none is
+///   one, or some more where the surface hardly turns on the way (triangles in one plane count as one facet);
+///   the one across the edge of t that is nearest to p_P.
+/// No other triangle is looked at: one may be nearer.
 /// noexcept, allocates nothing.
 FacetFoot foot_on_facet(const Part& part, int t, const Vec3& p_P) noexcept;
 /// The same of a facet that was looked at from there.

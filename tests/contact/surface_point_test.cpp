@@ -369,6 +369,24 @@ TEST(FootOnFacet, IsNotSoughtRoundATightRounding) {
   EXPECT_GT(found, 500);
 }
 
+TEST(FootOnFacet, IsNotSoughtOnTheOtherSideOfAGroove) {
+  // Two level shelves, and between them a groove whose bends are no creases.
+  const auto grooved = [](double u, double v) {
+    const double x = 0.06 * (u - 0.5);
+    return Vec3(x, 0.04 * (v - 0.5), 1.2 * std::min(0.0, std::abs(x) - 0.01));
+  };
+  const Part part = make_part(test::sheet_soup(6, 4, grooved), 2.5);
+  int tried = 0;
+  for (int t = 0; t < part.triangle_count(); ++t) {
+    const Vec3 corner = part.vertices.col(part.triangles(0, t));
+    if (!(part.facet_normals(2, t) > 0.999) || corner.x() > 0) continue;
+    ++tried;
+    const Vec3 beyond(0.018, corner.y() + 0.004, corner.z());
+    EXPECT_EQ(foot_on_facet(part, t, part.centre_P + beyond).triangle, -1) << t;
+  }
+  EXPECT_GT(tried, 8);
+}
+
 TEST(NearestPlanePoint, IsTheFootOfThePerpendicular) {
   const SurfacePoint s = nearest_plane_point({0, 0, 2}, Vec3::UnitZ(), {5, 6, 1.5});
   EXPECT_EQ(s.signed_distance_m, -0.5);
