@@ -38,6 +38,10 @@ void ResidualFigures::observe(const TickRecord& record) noexcept {
   if (record.phase == Phase::free) {
     free_sum_n_ += residual_n;
     ++free_ticks_;
+  } else {
+    const double pressed_n = record.force_W_n.dot(record.normal_W);
+    pressed_n_ += pressed_n;
+    measured_press_n_ += pressed_n - residual_n.dot(record.normal_W);
   }
   if (ticks_ == 0) first_s_ = record.t_s;
   if (ticks_ == 1) {
@@ -67,6 +71,14 @@ void ResidualFigures::compare_shifts(const Vec3& model_n, const Vec3& measured_n
 
 double ResidualFigures::rms_n() const noexcept {
   return ticks_ > 0 ? std::sqrt(squares_n2_ / static_cast<double>(ticks_)) : TickRecord::nan;
+}
+
+double ResidualFigures::scale() const noexcept {
+  constexpr double least_n = 0.01;  // on average
+  const long touching = ticks_ - free_ticks_;
+  if (touching < least_free_ticks || !(pressed_n_ > least_n * static_cast<double>(touching)))
+    return TickRecord::nan;
+  return measured_press_n_ / pressed_n_;
 }
 
 double ResidualFigures::bias_n() const noexcept {

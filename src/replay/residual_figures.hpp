@@ -20,6 +20,9 @@ class ResidualFigures {
 
   /// Root mean square of the residual [N]; nan where nothing was compared.
   double rms_n() const noexcept;
+  /// How many times as hard as the model's the measured force presses along the normal, on average in
+  /// contact: below 0 the other way. nan where nothing was compared, and where the model hardly presses.
+  double scale() const noexcept;
   /// Length of the mean residual [N]: over the ticks without contact, where the model's force is zero and the
   /// measured one should be, else, where there are hardly any, over all; nan where nothing was compared.
   double bias_n() const noexcept;
@@ -53,6 +56,7 @@ class ResidualFigures {
 
   long ticks_ = 0, free_ticks_ = 0;
   double squares_n2_ = 0;
+  double pressed_n_ = 0, measured_press_n_ = 0;  ///< sums over the ticks in contact
   Vec3 sum_n_ = Vec3::Zero(), free_sum_n_ = Vec3::Zero();
   // Shifts are tried at every so manieth tick, a millisecond apart or a tick.
   double first_s_ = 0, step_s_ = 0;

@@ -17,10 +17,23 @@ constexpr double notable_n = 0.02, notable_share = 0.02;
 constexpr double nearly_all = 0.9;
 constexpr double notable_lag_s = 2e-3, ms_per_s = 1e3;
 
+/// So many times as hard as the model no pad's own stiffness makes a measurement, nor so many times less.
+constexpr double far_off = 3;
+
+/// Whether the measured force is another quantity than the model's, or the model's finger elsewhere.
+enum class Scale { alike, opposite, far_off };
+
+Scale scale_of(const std::vector<double>& figures) {
+  const double scale = Figures::of(figures, "residual_scale");
+  if (scale < -1 / far_off) return Scale::opposite;
+  return scale > far_off || std::abs(scale) < 1 / far_off ? Scale::far_off : Scale::alike;
+}
+
 /// Where a constant in the residual is seen.
 enum class BiasSeen { nowhere, without_contact, all_along };
 
 BiasSeen bias_seen(const std::vector<double>& figures) {
+  if (scale_of(figures) != Scale::alike) return BiasSeen::nowhere;  // which says more
   const double bias_n = Figures::of(figures, "residual_bias_n");
   const double most_n = Figures::of(figures, "max_normal_force_n");
   if (!(bias_n > std::max(notable_n, notable_share * most_n))) return BiasSeen::nowhere;
@@ -32,6 +45,27 @@ BiasSeen bias_seen(const std::vector<double>& figures) {
 
 bool is_late(const std::vector<double>& figures) {
   return std::abs(Figures::of(figures, "residual_lag_s")) >= notable_lag_s;
+}
+
+std::string scale_words(const std::vector<double>& figures) {
+  const double scale = Figures::of(figures, "residual_scale");
+  switch (scale_of(figures)) {
+    case Scale::opposite:
+      return fmt::format(
+          "the measured force presses the other way than the model's, {} times as hard (residual_scale): is "
+          "it "
+          "the force on the plate? Say so by force_on = \"plate\" in [motion]",
+          rounded_text(-scale, 2));
+    case Scale::far_off:
+      return fmt::format(
+          "the measured force presses {} times as hard as the model (residual_scale): are positions the "
+          "fingertip's, where [finger] radius_m takes them for a ball's centre, is the surface elsewhere, or "
+          "the force's unit another (force_unit in [motion])?",
+          rounded_text(scale, 2));
+    case Scale::alike:
+      break;
+  }
+  return "";
 }
 
 std::string bias_words(const std::vector<double>& figures) {
@@ -70,7 +104,7 @@ std::string lag_words(const std::vector<double>& figures) {
 
 std::vector<std::string> residual_warnings(const std::vector<double>& figures) {
   std::vector<std::string> warnings;
-  for (std::string words : {bias_words(figures), lag_words(figures)}) {
+  for (std::string words : {scale_words(figures), bias_words(figures), lag_words(figures)}) {
     if (!words.empty()) warnings.push_back(std::move(words));
   }
   return warnings;
@@ -78,6 +112,9 @@ std::vector<std::string> residual_warnings(const std::vector<double>& figures) {
 
 std::vector<std::string> residual_doubts(const std::vector<double>& figures) {
   std::vector<std::string> doubts;
+  if (scale_of(figures) != Scale::alike)
+    doubts.push_back(fmt::format("measured force {} times the model's",
+                                 rounded_text(Figures::of(figures, "residual_scale"), 2)));
   if (bias_seen(figures) != BiasSeen::nowhere)
     doubts.push_back(fmt::format("measured force off by {} N{}",
                                  rounded_text(Figures::of(figures, "residual_bias_n"), 2),

@@ -5,9 +5,9 @@
 
 namespace fingerpad {
 
-/// What the residual may owe to the measurement: a sensor that was not tared, a recorder that is late. (A pad
-/// that is softer than the model's looks late too.) A sentence each; none where no force was measured, and
-/// where nothing of the kind is seen.
+/// What the residual may owe to the measurement: a force on the plate or in another unit, a sensor that was
+/// not tared, a recorder that is late. (A pad that is softer than the model's looks late too.) A sentence
+/// each; none where no force was measured, and where nothing of the kind is seen.
 /// @param figures  Figures::values()
 std::vector<std::string> residual_warnings(const std::vector<double>& figures);
 

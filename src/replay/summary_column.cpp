@@ -83,6 +83,10 @@ constexpr SummaryColumn figure_columns[] = {
      "one; "
      "else nan",
      [](const T& run) { return run.residual.rms_n(); }, Kind::number, true},
+    {"residual_scale", "1",
+     "of a motion with a measured force: how many times as hard as the model the measurement presses along "
+     "the normal, on average in contact; below 0 the other way, as the force on the plate does; else nan",
+     [](const T& run) { return run.residual.scale(); }, Kind::number, true},
     {"residual_bias_n", "N",
      "of a motion with a measured force: the length of what is left of it on average, without contact where "
      "the finger is ever free (what a sensor that was not tared shows), else over the whole run; else nan",

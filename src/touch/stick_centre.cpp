@@ -5,6 +5,12 @@
 #include "contact/triangle_tree.hpp"
 
 namespace fingerpad {
+namespace {
+
+/// A foot is near within this share of the stretch.
+constexpr double near_share = 0.1;
+
+}  // namespace
 
 void StickCentre::place(const PlacedSurface& surface, const Vec3& contact_W, const Vec3& stretch_W,
                         Normals normals, int contact_triangle, FacetsAtHand& facets,
@@ -21,7 +27,10 @@ void StickCentre::place(const PlacedSurface& surface, const Vec3& contact_W, con
   const bool is_on_facets = normals->own_surface == nullptr;
   if (is_on_facets && contact_triangle >= 0) {
     Vec3 foot;
-    if (facets.find_foot(surface, contact_triangle, target, foot)) return put(foot);
+    // Not of a foot that lies far off: another facet, at which the way there did not look, may be nearer.
+    if (facets.find_foot(surface, contact_triangle, target, foot) &&
+        (foot - target).squaredNorm() < near_share * near_share * distance2)
+      return put(foot);
   }
   const Normals by = is_on_facets ? Normals::facet : normals;
   const double reach_m = std::sqrt(distance2);

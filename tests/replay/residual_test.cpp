@@ -47,7 +47,8 @@ double rms_of(const BatchJob& job) {
 /// A rub of one second, 1 mm deep, and the forces that a pad of 150 1/m has along it.
 /// @param late_ms  how long a recorder keeps them
 /// @param off_n    of a sensor that was not tared
-fs::path measured_rub(int late_ms = 0, double off_n = 0) {
+/// @param scale    of another unit, or the other side's
+fs::path measured_rub(int late_ms = 0, double off_n = 0, double scale = 1) {
   const fs::path folder = test::scratch_dir();
   const auto place_text = [](int i) {
     return fmt::format("{:.3f},{:.9f},0,-0.001", i / 1000.0, 0.02 * std::sin(2 * M_PI * i / 1000.0));
@@ -62,7 +63,7 @@ fs::path measured_rub(int late_ms = 0, double off_n = 0) {
   table << "t_s,x_m,y_m,z_m,fx_n,fy_n,fz_n\n";
   for (int i = 0; i <= 1000; ++i) {
     const Vec3 force_n =
-        trace.rows[static_cast<std::size_t>(std::max(0, i - late_ms))].force_W_n + Vec3(0, 0, off_n);
+        scale * trace.rows[static_cast<std::size_t>(std::max(0, i - late_ms))].force_W_n + Vec3(0, 0, off_n);
     table << place_text(i) << fmt::format(",{},{},{}\n", force_n.x(), force_n.y(), force_n.z());
   }
   return folder;
@@ -113,6 +114,18 @@ TEST(Residual, TellsASensorThatWasNotTared) {
   EXPECT_NEAR(Figures::of(job.figures, "residual_bias_n"), 0.3, 1e-9);
   EXPECT_THAT(job.warnings, Contains(HasSubstr("0.3 N of the residual's 0.3 N are the same all along")));
   EXPECT_THAT(run(measured_rub(), 150, measured_columns)[0].warnings, IsEmpty());
+}
+
+TEST(Residual, TellsAForceOnThePlateAndOneInAnotherUnit) {
+  const BatchJob plate = run(measured_rub(0, 0, -1), 150, measured_columns)[0];
+  EXPECT_NEAR(Figures::of(plate.figures, "residual_scale"), -1, 1e-9);
+  EXPECT_THAT(plate.warnings, Contains(AllOf(HasSubstr("presses the other way than the model's, 1 times"),
+                                             HasSubstr("force_on = \"plate\""))));
+  const BatchJob milli = run(measured_rub(0, 0, 1000), 150, measured_columns)[0];
+  EXPECT_THAT(milli.warnings, Contains(AllOf(HasSubstr("presses 1000 times as hard as the model"),
+                                             HasSubstr("radius_m"), HasSubstr("force_unit"))));
+  EXPECT_THAT(run(measured_rub(0, 0, 0.5), 150, measured_columns)[0].warnings,
+              Not(Contains(HasSubstr("residual_scale"))));
 }
 
 TEST(Residual, OfAHandIsNone) {
