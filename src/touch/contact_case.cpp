@@ -16,20 +16,25 @@
 namespace fingerpad {
 namespace {
 
-/// The greatest press is told as "10 N at 1000 N/m presses 10 mm deep".
+/// The greatest press is told as "10 N at 1000 N/m presses 10 mm deep", and the way in a tick where that is
+/// more.
 ContactDemand demand_of(const Scene& scene, const Surface& surface, const PartMeasures& part,
                         const Nearby& nearby) {
   const double force_n = scene.contact.greatest_force_n, radius_m = scene.finger.radius_m;
   const double stiffness_n_per_m = surface.properties.stiffness_n_per_m,
-               depth_m = force_n / stiffness_n_per_m;
+               depth_m = force_n / stiffness_n_per_m, tick_m = choice_speed_m_per_s / scene.motion.rate_hz;
   ContactDemand demand{part};
   demand.finger_radius_m = radius_m;
   demand.force_tolerance = scene.contact.force_tolerance;
-  demand.centre_depth_m = depth_m - radius_m + choice_speed_m_per_s / scene.motion.rate_hz;
+  demand.centre_depth_m = depth_m - radius_m + tick_m;
   demand.press = fmt::format(
       "{} N at {} N/m presses {}{} mm deep", rounded_text(force_n, 3), rounded_text(stiffness_n_per_m, 4),
       radius_m > 0 ? fmt::format("a {} mm finger ", rounded_text(1e3 * radius_m, 3)) : "",
       rounded_text(1e3 * depth_m, 3));
+  if (tick_m > depth_m)
+    demand.press += fmt::format(", and a tick at {} Hz takes a finger of {} m/s {} mm farther",
+                                rounded_text(scene.motion.rate_hz, 3), rounded_text(choice_speed_m_per_s, 3),
+                                rounded_text(1e3 * tick_m, 3));
   demand.crowded = nearby.crowded;
   demand.has_neighbour = nearby.has_neighbour;
   return demand;

@@ -351,6 +351,14 @@ Scene plate_scene() {
   return scene;
 }
 
+TEST(ContactChoice, TellsTheWayInATickWhereThatIsMoreThanThePress) {
+  Scene scene = plate_scene();
+  EXPECT_THAT(load_world(scene)->contact->reasons.at(0), Not(HasSubstr("a tick")));
+  scene.contact.greatest_force_n = 0.1;
+  EXPECT_THAT(load_world(scene)->contact->reasons.at(0),
+              HasSubstr("presses 0.1 mm deep, and a tick at 1000 Hz takes a finger of 1 m/s 1 mm farther"));
+}
+
 TEST(ContactChoice, APartIsMeasuredOnceForItsContentAndOnlyWhereThereIsAChoice) {
   const auto folder = test::scratch_dir();
   Scene scene = test::plane_scene("coulomb");
