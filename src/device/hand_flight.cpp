@@ -16,15 +16,6 @@ constexpr double steering_share = 0.5;
 /// How fast it goes out of what it touches or is near to.
 constexpr double out_m_per_s = 0.1;
 
-Scene with_radius(Scene scene, double radius_m) {
-  scene.finger.radius_m = radius_m;
-  return scene;
-}
-
-double hand_margin_m(const std::shared_ptr<const World>& world, const Scene& scene) {
-  return margin_share * Surroundings(world, scene).radius_m();
-}
-
 }  // namespace
 
 HandFlight::HandFlight(const std::shared_ptr<const World>& world, const Scene& scene,
@@ -32,8 +23,8 @@ HandFlight::HandFlight(const std::shared_ptr<const World>& world, const Scene& s
     : settings_(hand),
       dt_s_(dt_s),
       greatest_n_(steering_share * scene.contact.greatest_force_n),
-      margin_m_(hand_margin_m(world, scene)),
-      around_(world, with_radius(scene, scene.finger.radius_m + margin_m_)),
+      margin_m_(margin_share * ball_around(*world).radius_m),
+      around_(world, scene, scene.finger.radius_m + margin_m_),
       omega_(std::min({2 * std::numbers::pi * most_hz, most_per_tick / dt_s,
                        std::sqrt(greatest_n_ / (hand.mass_kg * margin_m_))})),
       // Critically damped, a change of its flight's speed puts it off by that over e omega.
