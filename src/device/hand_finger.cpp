@@ -37,13 +37,11 @@ HandFinger::HandFinger(const DeviceSetup& setup, double dt_s)
 }
 
 void HandFinger::set_target(const FingerSample& target) {
-  last_put_.finger = target;
-  aims_.put(last_put_);
+  if (last_put_.ask(target)) aims_.put(last_put_);
 }
 
 void HandFinger::look_from(const Vec3& towards_eye_W) {
-  if (towards_eye_W.allFinite() && towards_eye_W.norm() > 0)
-    last_put_.towards_eye_W = towards_eye_W.normalized();
+  last_put_.look_from(towards_eye_W);
 }
 
 std::string HandFinger::opening_words() const {

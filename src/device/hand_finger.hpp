@@ -4,6 +4,7 @@
 #include "device/hand_flight.hpp"
 #include "device/latest.hpp"
 #include "device/live_device.hpp"
+#include "device/pointer_aim.hpp"
 #include "motion/simulated_hand.hpp"
 
 namespace fingerpad {
@@ -26,11 +27,6 @@ class HandFinger final : public LiveDevice {
   std::string opening_words() const override;
 
  private:
-  struct Aim {
-    FingerSample finger;
-    Vec3 towards_eye_W = Vec3::UnitZ();
-  };
-
   double push_n() const noexcept { return seen_.finger.push_W_n.norm(); }
   bool flies(const TickRecord& tick) noexcept;
   Vec3 gently_W(const Vec3& intended_W) const noexcept;
@@ -51,9 +47,9 @@ class HandFinger final : public LiveDevice {
   double dt_s_;
   Vec3 place_W_;  ///< of the last advance()
   FingerSample finger_;
-  Aim last_put_;      // the window's threads'
-  Latest<Aim> aims_;  // to the servo
-  Aim seen_;          // servo's thread
+  PointerAim last_put_;      // the window's threads'
+  Latest<PointerAim> aims_;  // to the servo
+  PointerAim seen_;          // servo's thread
 };
 
 }  // namespace fingerpad
