@@ -13,7 +13,7 @@ namespace fingerpad {
 /// the surface pushes back. What it does to the finger is what `replay` does with a motion and a [hand]: what
 /// is felt is where the hand's encoders put the finger. Where it knows its world it hovers without touching,
 /// comes down over the spot, and is drawn aside over it so gently that a wall that it meets stops it with
-/// less than the scene's greatest force.
+/// less than the scene's greatest force, along the axes that it moves along by itself.
 class HandFinger final : public LiveDevice {
  public:
   HandFinger(const DeviceSetup& setup, double dt_s);
@@ -23,13 +23,16 @@ class HandFinger final : public LiveDevice {
   SampleParts gives() const noexcept override { return {.pushes = true}; }
   std::optional<Vec3> true_place_W() const noexcept override { return place_W_; }
   void set_target(const FingerSample& target) override;
+  std::unique_ptr<ChangeBeside> ready_for(const World& world, const Scene& scene) override;
   void look_from(const Vec3& towards_eye_W) override;
   std::string opening_words() const override;
 
  private:
+  struct Change;
+
   double push_n() const noexcept { return seen_.finger.push_W_n.norm(); }
-  bool flies(const TickRecord& tick) noexcept;
-  Vec3 gently_W(const Vec3& intended_W) const noexcept;
+  bool flies(const Vec3& goal_W, const TickRecord& tick) noexcept;
+  Vec3 gently_W(const Vec3& intended_W, const TickRecord& tick) const noexcept;
   Vec3 next_intended_W(const Vec3& wanted_W, const TickRecord& tick) noexcept;
 
   HandSettings settings_;
