@@ -44,7 +44,11 @@ void HandFlight::go_on(const Vec3& hand_W, const Vec3& goal_W, const Vec3& towar
   const Vec3 from_W = flight_.place_W();
   off_m_ = (from_W - hand_W).norm();
   const double left = std::max(0.0, 1 - off_m_ / margin_m_);
-  if (tick.walls > 0) return lead_to(from_W + left * out_m_per_s * dt_s_ * tick.normal_W);
+  if (tick.walls > 0) {
+    // The surface may push the hand out faster than that: the flight must not draw it back in.
+    const double ahead_m = std::max(0.0, (hand_W - from_W).dot(tick.normal_W));
+    return lead_to(from_W + (ahead_m + left * out_m_per_s * dt_s_) * tick.normal_W);
+  }
   const Clearance clearance = around_.at(from_W, margin_m_);
   if (clearance.free_m < 0) return lead_to(from_W + left * out_m_per_s * dt_s_ * clearance.away_W);
   const double span_s = pace_ * left * dt_s_;

@@ -96,6 +96,27 @@ TEST(HandTarget, HoversAndLandsAgainstDryFriction) {
   }
 }
 
+// The surface pushes a hand out faster than its flight goes. A flight that drew it back in and waited for it
+// would wait for ever: the two forces balance.
+TEST(HandTarget, LetsGoOfWhatItHasPressed) {
+  Scene scene = test::plane_scene("none");
+  scene.finger.radius_m = 0.007;
+  const auto world = test::world_of(test::box_soup({0.1, 0.1, 0.04}));
+  const Vec3 beside_W(0.05 + scene.finger.radius_m, 0, 0), above_W(0, 0, 0.024 + scene.finger.radius_m);
+  for (const double coulomb_n : {0.0, 0.3, 1.0, 3.0}) {
+    SCOPED_TRACE(coulomb_n);
+    HandSettings hand;
+    hand.coulomb_n = coulomb_n;
+    HandRun run(scene, world, hand, Vec3(0.08, 0, 0));
+    run.finger.set_target(aim(beside_W, Vec3(-5, 0, 0)));
+    run.go(2);
+    EXPECT_GT(run.row.normal_force_n, 2.5);
+    run.finger.set_target(aim(above_W));
+    run.go(3);
+    EXPECT_LT((run.sample.p_WQ - above_W).norm(), 2e-3);
+  }
+}
+
 TEST(HandTarget, StaysFiniteWithoutASpring) {
   HandSettings hand;
   hand.stiffness_n_per_m = 0;
