@@ -14,6 +14,13 @@ namespace {
 
 constexpr double landing_bandwidth_hz = 1.5;
 
+double stiffest_of(const World& world) {
+  double stiffest = 0;
+  for (const Surface& surface : world.surfaces)
+    stiffest = std::max(stiffest, surface.properties.stiffness_n_per_m);
+  return stiffest;
+}
+
 }  // namespace
 
 HandFinger::HandFinger(const DeviceSetup& setup, double dt_s)
@@ -30,20 +37,18 @@ HandFinger::HandFinger(const DeviceSetup& setup, double dt_s)
       last_put_{setup.start},
       seen_{setup.start} {
   hand_.start(setup.start.p_WQ);
-  if (!setup.world) return;
+  // Without a spring nothing draws it anywhere.
+  if (!setup.world || !(settings_.stiffness_n_per_m > 0)) return;
   flight_.emplace(setup.world, setup.scene, settings_, dt_s, setup.start.p_WQ);
-  for (const Surface& surface : setup.world->surfaces)
-    stiffest_n_per_m_ = std::max(stiffest_n_per_m_, surface.properties.stiffness_n_per_m);
+  stiffest_n_per_m_ = stiffest_of(*setup.world);
 }
 
 void HandFinger::set_target(const FingerSample& target) {
-  last_put_.finger = target;
-  aims_.put(last_put_);
+  if (last_put_.ask(target)) aims_.put(last_put_);
 }
 
 void HandFinger::look_from(const Vec3& towards_eye_W) {
-  if (towards_eye_W.allFinite() && towards_eye_W.norm() > 0)
-    last_put_.towards_eye_W = towards_eye_W.normalized();
+  last_put_.look_from(towards_eye_W);
 }
 
 std::string HandFinger::opening_words() const {
@@ -52,6 +57,23 @@ std::string HandFinger::opening_words() const {
       "the scene has no [hand]: one of {} kg on {} N/m with {} N s/m, encoders of {} m, as by default",
       number_text(settings_.mass_kg), number_text(settings_.stiffness_n_per_m),
       number_text(settings_.damping_n_s_per_m), number_text(settings_.encoder_m));
+}
+
+struct HandFinger::Change final : ChangeBeside {
+  Change(HandFinger& whose, const World& on, const ContactChoice& by)
+      : finger(whose), world(on), choice(by), stiffest_n_per_m(stiffest_of(on)) {}
+  void put_in() noexcept override {
+    finger.stiffest_n_per_m_ = stiffest_n_per_m;
+    if (finger.flight_) finger.flight_->change(world, choice);
+  }
+  HandFinger& finger;
+  const World& world;
+  ContactChoice choice;
+  double stiffest_n_per_m;
+};
+
+std::unique_ptr<ChangeBeside> HandFinger::ready_for(const World& world, const Scene& scene) {
+  return std::make_unique<Change>(*this, world, settled_contact(scene, world));
 }
 
 FingerSample HandFinger::advance(double) noexcept {
@@ -99,12 +121,12 @@ Vec3 HandFinger::next_intended_W(const Vec3& wanted_W, const TickRecord& tick) n
 }
 
 /// Until it is over the spot that is to be pressed it flies; and again once it is not to press.
-bool HandFinger::flies(const TickRecord& tick) noexcept {
+bool HandFinger::flies(const Vec3& goal_W, const TickRecord& tick) noexcept {
   if (!flight_) return false;
   const bool did = !comes_down_;
   if (!(push_n() > 0)) {
     comes_down_ = false;
-  } else if (did && flight_->has_arrived() && tick.walls == 0) {
+  } else if (did && flight_->has_arrived(goal_W) && tick.walls == 0) {
     comes_down_ = lands_ = true;
     intended_.put(place_W_, Vec3::Zero());
     landing_.put(place_W_, Vec3::Zero());
@@ -115,7 +137,7 @@ bool HandFinger::flies(const TickRecord& tick) noexcept {
 
 /// Drawn with no more than the greatest force, and damped so that the hand's mass meets a wall slowly enough
 /// to add hardly anything to that.
-Vec3 HandFinger::gently_W(const Vec3& intended_W) const noexcept {
+Vec3 HandFinger::gently_W(const Vec3& intended_W, const TickRecord& tick) const noexcept {
   constexpr double aside_share = 0.5, together_share = 0.9, least_share = 0.15, most_per_tick = 0.3;
   if (!flight_ || !(push_n() > 0)) return intended_W;
   const double k = settings_.stiffness_n_per_m, m = settings_.mass_kg;
@@ -126,10 +148,14 @@ Vec3 HandFinger::gently_W(const Vec3& intended_W) const noexcept {
   const double along_m = std::clamp(pull_W.dot(down_W), -aside_n / k, down_n / k);
   Vec3 aside_W = pull_W - pull_W.dot(down_W) * down_W;
   aside_W *= std::min(1.0, aside_n / k / std::max(aside_n / k, aside_W.norm()));
+  const Vec3 drawn_W = along_m * down_W + aside_W;
+  // Dry friction must not hold it up on its way; where it has come to rest on a surface, it may.
+  const Vec3 starts_W = tick.walls > 0 ? Vec3::Zero() : drawn_W;
   const double critical = 2 * std::sqrt(m * std::max(k, stiffest_n_per_m_));
   const double lacks =
       std::max(0.0, std::min(critical, most_per_tick * m / dt_s_) - settings_.damping_n_s_per_m);
-  Vec3 gently_W = hand_.position_W() + along_m * down_W + aside_W - lacks / k * hand_.velocity_W();
+  Vec3 gently_W = hand_.position_W() + drawn_W - lacks / k * hand_.velocity_W();
+  gently_W += hand_.against_dry_friction_W_n(starts_W) / k;
   for (int axis = 0; axis < 3; ++axis)
     if (!settings_.free_axis[axis]) gently_W[axis] = intended_W[axis];
   return gently_W;
@@ -137,16 +163,19 @@ Vec3 HandFinger::gently_W(const Vec3& intended_W) const noexcept {
 
 /// The hand goes on under the force of this tick.
 void HandFinger::feel(const TickRecord& tick) noexcept {
-  // A pointer that says what to press with is followed as deep as the hand's spring needs for that.
+  // So deep its spring would push with what is asked for; as far as the surface gives way it pushes with
+  // less.
   const Vec3& push_W_n = seen_.finger.push_W_n;
-  const Vec3 wanted_W = seen_.finger.p_WQ + push_W_n / settings_.stiffness_n_per_m;
+  const double k = settings_.stiffness_n_per_m;
+  const Vec3 wanted_W = seen_.finger.p_WQ + (k > 0 ? Vec3(push_W_n / k) : Vec3::Zero());
   Vec3 next_W = wants_W_;
-  if (flies(tick)) {
-    const Vec3 up_W = push_n() > 0 ? Vec3(push_W_n * (-flight_->height_m() / push_n())) : Vec3::Zero();
-    const Vec3 goal_W = seen_.finger.p_WQ + up_W;
+  const double height_m = flight_ ? flight_->height_m() : 0;
+  const Vec3 up_W = push_n() > 0 ? Vec3(push_W_n * (-height_m / push_n())) : Vec3::Zero();
+  const Vec3 goal_W = seen_.finger.p_WQ + up_W;
+  if (flies(goal_W, tick)) {
     next_W = flight_->wants_W(hand_, goal_W.allFinite() ? goal_W : place_W_, seen_.towards_eye_W, tick);
   } else {
-    next_W = gently_W(next_intended_W(wanted_W.allFinite() ? wanted_W : intended_.place_m(), tick));
+    next_W = gently_W(next_intended_W(wanted_W.allFinite() ? wanted_W : intended_.place_m(), tick), tick);
   }
   hand_.advance(wants_W_, next_W, tick.force_W_n);
   wants_W_ = next_W;

@@ -4,6 +4,7 @@
 #include "device/hand_flight.hpp"
 #include "device/latest.hpp"
 #include "device/live_device.hpp"
+#include "device/pointer_aim.hpp"
 #include "motion/simulated_hand.hpp"
 
 namespace fingerpad {
@@ -12,7 +13,7 @@ namespace fingerpad {
 /// the surface pushes back. What it does to the finger is what `replay` does with a motion and a [hand]: what
 /// is felt is where the hand's encoders put the finger. Where it knows its world it hovers without touching,
 /// comes down over the spot, and is drawn aside over it so gently that a wall that it meets stops it with
-/// less than the scene's greatest force.
+/// less than the scene's greatest force, along the axes that it moves along by itself.
 class HandFinger final : public LiveDevice {
  public:
   HandFinger(const DeviceSetup& setup, double dt_s);
@@ -22,18 +23,16 @@ class HandFinger final : public LiveDevice {
   SampleParts gives() const noexcept override { return {.pushes = true}; }
   std::optional<Vec3> true_place_W() const noexcept override { return place_W_; }
   void set_target(const FingerSample& target) override;
+  std::unique_ptr<ChangeBeside> ready_for(const World& world, const Scene& scene) override;
   void look_from(const Vec3& towards_eye_W) override;
   std::string opening_words() const override;
 
  private:
-  struct Aim {
-    FingerSample finger;
-    Vec3 towards_eye_W = Vec3::UnitZ();
-  };
+  struct Change;
 
   double push_n() const noexcept { return seen_.finger.push_W_n.norm(); }
-  bool flies(const TickRecord& tick) noexcept;
-  Vec3 gently_W(const Vec3& intended_W) const noexcept;
+  bool flies(const Vec3& goal_W, const TickRecord& tick) noexcept;
+  Vec3 gently_W(const Vec3& intended_W, const TickRecord& tick) const noexcept;
   Vec3 next_intended_W(const Vec3& wanted_W, const TickRecord& tick) noexcept;
 
   HandSettings settings_;
@@ -51,9 +50,9 @@ class HandFinger final : public LiveDevice {
   double dt_s_;
   Vec3 place_W_;  ///< of the last advance()
   FingerSample finger_;
-  Aim last_put_;      // the window's threads'
-  Latest<Aim> aims_;  // to the servo
-  Aim seen_;          // servo's thread
+  PointerAim last_put_;      // the window's threads'
+  Latest<PointerAim> aims_;  // to the servo
+  PointerAim seen_;          // servo's thread
 };
 
 }  // namespace fingerpad

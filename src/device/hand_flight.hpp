@@ -25,8 +25,12 @@ class HandFlight {
   Vec3 wants_W(const SimulatedHand& hand, const Vec3& goal_W, const Vec3& towards_eye_W,
                const TickRecord& tick) noexcept;
 
-  /// Nothing leads nearer to the goal, and the hand is there.
-  bool has_arrived() const noexcept { return flight_.has_arrived() && off_m_ < 0.5 * margin_m_; }
+  /// Nothing leads nearer to this goal, and the hand is there.
+  bool has_arrived(const Vec3& goal_W) const noexcept {
+    return leads_no_nearer_ && (goal_W - goal_W_).norm() < margin_m_ && off_m_ < 0.5 * margin_m_;
+  }
+  /// The same surfaces, touched in another way or with other properties; they outlive this.
+  void change(const World& world, const ContactChoice& choice) noexcept { around_.change(world, choice); }
   /// So far from the parts a hand that hovers has room to begin its way down.
   double height_m() const noexcept { return 2 * margin_m_; }
 
@@ -45,6 +49,8 @@ class HandFlight {
   FreeFlight flight_;
   double pace_ = 1;  ///< of the flight, as a share of its own
   double off_m_ = 0;
+  bool leads_no_nearer_ = false;  ///< to the last goal
+  Vec3 goal_W_;
 };
 
 }  // namespace fingerpad

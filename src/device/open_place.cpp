@@ -9,8 +9,6 @@
 namespace fingerpad {
 namespace {
 
-/// For what is looked at in a tick: some two tenths of a millisecond.
-constexpr long most_looks = 20000;
 /// So much room is none [of what a flight keeps from the parts].
 constexpr double hardly_share = 0.1;
 
@@ -45,7 +43,7 @@ void OpenPlace::look() noexcept {
   const double tolerated_m = std::min(soft_m_, tolerated_share * radius_m);
   const double push_n = aim_.finger.push_W_n.norm();
   // One that hovers goes as near as it can: it need not come down on anything.
-  Looks looks(most_looks);
+  Looks looks(room_looks);
   has_room_ = !given_up_ && (push_n == 0 || seems_free(radius_m - tolerated_m, looks));
   place_W_ = has_room_ ? aim_.finger.p_WQ : stopped_W(looks);
   down_W_ = has_room_ && push_n > 0 ? Vec3(aim_.finger.push_W_n / push_n) : Vec3(-aim_.towards_eye_W);
@@ -82,7 +80,7 @@ Vec3 OpenPlace::stopped_W(Looks& looks) noexcept {
 void OpenPlace::look_on() noexcept {
   if (has_room_ || !may_be_lower_) return;
   const double hardly_m = hardly_share * soft_m_, up_m = (stopped_at_W_ - stopped_for_W_).dot(stopped_by_W_);
-  Looks looks(most_looks);
+  Looks looks(room_looks);
   const Vec3 lower_W = stopped_on_line(world_, stopped_for_W_, stopped_by_W_, up_m, around_.finger_radius_m(),
                                        hardly_m, looks);
   may_be_lower_ = (stopped_at_W_ - lower_W).norm() > hardly_m;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "device/device_table.hpp"
 #include "device/pointer_limits.hpp"
@@ -27,19 +26,14 @@ PointerFinger::PointerFinger(const DeviceSetup& setup)
       finger_(setup.start) {}
 
 void PointerFinger::set_target(const FingerSample& target) {
-  const double length = target.direction_W.norm();
-  if (!target.p_WQ.allFinite() || !target.push_W_n.allFinite() || !std::isfinite(target.t_s)) return;
-  if (!(length > 0) || !std::isfinite(length)) return;
-  last_put_.finger = target;
-  last_put_.spot_W = target.p_WQ;
+  if (!last_put_.ask(target)) return;
   const double push_n = target.push_W_n.norm();
   if (push_n > 0) last_put_.spot_W += around_.finger_radius_m() / push_n * target.push_W_n;
   path_.put(last_put_);
 }
 
 void PointerFinger::look_from(const Vec3& towards_eye_W) {
-  if (towards_eye_W.allFinite() && towards_eye_W.norm() > 0)
-    last_put_.towards_eye_W = towards_eye_W.normalized();
+  last_put_.look_from(towards_eye_W);
 }
 
 /// The hand goes by the method that the touch goes on with.

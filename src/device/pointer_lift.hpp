@@ -10,7 +10,7 @@ namespace fingerpad {
 /// How a finger goes up from what it has pressed, until it is free. noexcept, allocates nothing.
 class PointerLift {
  public:
-  /// Kept by reference.
+  /// @param around, flight, steps  kept by reference
   PointerLift(Surroundings& around, FreeFlight& flight, TriedSteps& steps) noexcept
       : around_(around), flight_(flight), steps_(steps) {}
 
@@ -20,10 +20,10 @@ class PointerLift {
   }
   /// @param pressed_most_n  that the press might have pressed with
   void begin(const TickRecord& touched, double pressed_most_n) noexcept;
-  /// Straight out, so far at most; once it is free, by as much as that and a small step more.
+  /// Straight out, so far at most; once it is free, by half of the room that it has and a small step more.
   void go_on(const TickRecord& touched, double fastest_m, double dt_s) noexcept;
   bool is_over() const noexcept;
-  /// That it may press with meanwhile.
+  /// What it may press with on its way [N].
   double most_n() const noexcept { return most_n_; }
 
  private:

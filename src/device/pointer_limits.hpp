@@ -37,5 +37,8 @@ inline constexpr double pace_s = 0.03, most_lead_share = 0.1;
 inline constexpr int most_lift_ticks = 100;
 /// How often a step is halved before the finger does something else.
 inline constexpr int most_halvings = 4;
+/// How often one that gives way doubles what it goes in a tick: until that is farther than any finger is
+/// deep.
+inline constexpr int most_doublings = 16;
 
 }  // namespace fingerpad::pointer_limits

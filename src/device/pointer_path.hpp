@@ -3,16 +3,9 @@
 #include <array>
 #include <atomic>
 
-#include "motion/finger_path.hpp"
+#include "device/pointer_aim.hpp"
 
 namespace fingerpad {
-
-/// A pointer on its way: what its events asked for, and from where the one who points looks.
-struct PointerAim {
-  FingerSample finger;  ///< t_s: of the event, on any clock; push_W_n: what to press with, zero to hover
-  Vec3 towards_eye_W = Vec3::UnitZ();
-  Vec3 spot_W = Vec3::Zero();  ///< of the surface, where it is to be pressed; else the finger's place
-};
 
 /// Plays a pointer's events back at the pace at which they were made. A window hands them over frame by
 /// frame, several at once; their own times say how fast the pointer went. One thread puts, one plays;

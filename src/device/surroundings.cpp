@@ -5,21 +5,26 @@
 #include "contact/contact_method_table.hpp"
 #include "scene/scene.hpp"
 #include "touch/nearest_of.hpp"
-#include "touch/parts_ball.hpp"
 
 namespace fingerpad {
 
+Ball ball_around(const World& world) {
+  constexpr double usual_m = 0.05, least_m = 1e-6;
+  const auto parts = ball_of_parts(world);
+  return parts ? Ball{parts->centre_W, std::max(parts->radius_m, least_m)} : Ball{Vec3::Zero(), usual_m};
+}
+
 Surroundings::Surroundings(std::shared_ptr<const World> world, const Scene& scene)
+    : Surroundings(std::move(world), scene, scene.finger.radius_m) {}
+
+Surroundings::Surroundings(std::shared_ptr<const World> world, const Scene& scene, double finger_radius_m)
     : kept_(std::move(world)),
       world_(kept_.get()),
       normals_(Normals::facet),
-      finger_radius_m_(scene.finger.radius_m),
-      memories_(world_->surfaces.size()) {
+      finger_radius_m_(finger_radius_m),
+      memories_(world_->surfaces.size()),
+      parts_(ball_around(*world_)) {
   touch_by(settled_contact(scene, *world_));
-  const auto parts = ball_of_parts(*world_);
-  if (!parts) return;
-  middle_W_ = parts->centre_W;
-  radius_m_ = std::max(parts->radius_m, 1e-6);
 }
 
 void Surroundings::touch_by(const ContactChoice& choice) noexcept {
@@ -45,7 +50,7 @@ Clearance Surroundings::at(const Vec3& p_W, double reach_m) noexcept {
   const double length_m = way_W.norm();
   const bool is_sided = sided_ || world_->surfaces[static_cast<std::size_t>(nearest.surface)].is_plane();
   // A finger that was let go stands on the surface, to within a proxy's skin on either side of it.
-  const bool tells = !is_sided && length_m > 1e-6 * radius_m_;
+  const bool tells = !is_sided && length_m > 1e-6 * parts_.radius_m;
   return {free_m, tells ? Vec3(way_W / length_m) : nearest.at.normal_W};
 }
 

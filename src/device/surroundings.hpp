@@ -5,6 +5,7 @@
 
 #include "contact/closest_memory.hpp"
 #include "touch/contact_choice.hpp"
+#include "touch/parts_ball.hpp"
 #include "touch/world.hpp"
 
 namespace fingerpad {
@@ -17,11 +18,16 @@ struct Clearance {
   Vec3 away_W = Vec3::Zero();  ///< unit, from what is nearest; zero where nothing is within reach
 };
 
+/// A ball around all parts, and one of usual size where there are none.
+Ball ball_around(const World& world);
+
 /// What stands around a finger, for one who moves it. A ball that never goes farther than it is free
 /// touches nothing, whatever the contact method.
 class Surroundings {
  public:
   Surroundings(std::shared_ptr<const World> world, const Scene& scene);
+  /// Around a finger of another radius than the scene's.
+  Surroundings(std::shared_ptr<const World> world, const Scene& scene, double finger_radius_m);
 
   /// The room at a place.
   /// @param reach_m  look no farther. noexcept, allocates nothing.
@@ -36,8 +42,8 @@ class Surroundings {
   double stiffest_n_per_m(double dt_s) const noexcept;
 
   /// A ball around all parts.
-  const Vec3& middle_W() const noexcept { return middle_W_; }
-  double radius_m() const noexcept { return radius_m_; }
+  const Vec3& middle_W() const noexcept { return parts_.centre_W; }
+  double radius_m() const noexcept { return parts_.radius_m; }
   double finger_radius_m() const noexcept { return finger_radius_m_; }
 
  private:
@@ -49,8 +55,7 @@ class Surroundings {
   bool sided_ = false;  ///< the contact method takes all that is behind a facet for the part's inside
   double finger_radius_m_;
   std::vector<ClosestMemory> memories_;
-  Vec3 middle_W_ = Vec3::Zero();
-  double radius_m_ = 0.05;
+  Ball parts_;
 };
 
 }  // namespace fingerpad

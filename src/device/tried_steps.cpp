@@ -30,7 +30,8 @@ void TriedSteps::give_way(const TickRecord& touched, double most_n, double at_wo
   for (const double share : {0.0, 0.125, 0.25, 0.5, 1.0}) {
     if (go(share * std::min(farthest_m, depth_m) * touched.normal_W, most_n, dt_s)) return;
   }
-  for (double out_m = 2 * farthest_m; out_m < depth_m; out_m *= 2) {
+  double out_m = 2 * farthest_m;
+  for (int i = 0; i < most_doublings && out_m < depth_m; ++i, out_m *= 2) {
     if (go(out_m * touched.normal_W, most_n, dt_s)) return;
   }
   if (!go(depth_m * touched.normal_W, at_worst_n, dt_s)) go(Vec3::Zero(), any_force_n, dt_s);

@@ -18,7 +18,7 @@ class TriedSteps {
   bool go_shorter(Vec3 step_W, double most_n, double dt_s) noexcept;
   /// Straight out of what was touched, as little as is enough: none, or as far as it goes in a tick. Only
   /// where that presses with more than `most_n` it goes farther; all the way, if that presses with no more
-  /// than `at_worst_n`.
+  /// than `at_worst_n`. @pre farthest_m > 0
   void give_way(const TickRecord& touched, double most_n, double at_worst_n, double farthest_m,
                 double dt_s) noexcept;
 

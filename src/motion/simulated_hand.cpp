@@ -43,6 +43,15 @@ Vec3 SimulatedHand::push_W_n(const Vec3& intended_W) const noexcept {
   return settings_.stiffness_n_per_m * (intended_W - position_W_) - settings_.damping_n_s_per_m * velocity_W_;
 }
 
+Vec3 SimulatedHand::against_dry_friction_W_n(const Vec3& push_W_n) const noexcept {
+  Vec3 against_W_n = Vec3::Zero();
+  for (int axis = 0; axis < 3; ++axis) {
+    const double goes = velocity_W_[axis] != 0 ? velocity_W_[axis] : push_W_n[axis];
+    if (goes != 0) against_W_n[axis] = std::copysign(settings_.coulomb_n, goes);
+  }
+  return against_W_n;
+}
+
 SimulatedHand::AxisState SimulatedHand::with_dry_friction(AxisState state) const noexcept {
   const double friction = settings_.coulomb_n / settings_.mass_kg;  // as an acceleration
   const double spring = settings_.stiffness_n_per_m / settings_.mass_kg;

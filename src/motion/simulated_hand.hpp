@@ -27,6 +27,8 @@ class SimulatedHand {
   Vec3 encoded_W() const noexcept;
   /// What the hand pushes with now, spring and damper [N].
   Vec3 push_W_n(const Vec3& intended_W) const noexcept;
+  /// What has to be added to a push so that it moves the hand as it would without dry friction [N].
+  Vec3 against_dry_friction_W_n(const Vec3& push_W_n) const noexcept;
 
   /// One tick on: `force_W_n` is what was computed at this tick, on the finger; what is displayed is the one
   /// computed delay_ticks earlier. Along axes that are not free the finger goes to `next_intended_W`.

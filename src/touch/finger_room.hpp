@@ -8,6 +8,10 @@
 
 namespace fingerpad {
 
+/// For what is looked for in a tick, or for an event that waits for no frame: some two tenths of a
+/// millisecond.
+inline constexpr long room_looks = 20000;
+
 /// Nearest to a place. Of parts the closed ones have an inside.
 /// @param reach_m  look no farther
 /// @param looks    that it may cost, and pays for. noexcept, allocates nothing.

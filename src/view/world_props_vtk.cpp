@@ -203,11 +203,9 @@ std::optional<SurfaceHit> WorldProps::first_hit(const Vec3& a_mm, const Vec3& b_
 }
 
 std::optional<SurfaceHit> WorldProps::finger_hit(const Vec3& a_mm, const Vec3& b_mm, double radius_m) const {
-  // For an event, which waits for no frame: some two tenths of a millisecond.
-  constexpr long most_looks = 20000;
   if (auto hit = first_hit(a_mm, b_mm); hit || !world_) return hit;
   const Vec3 a_W = space_.to_world(a_mm), b_W = space_.to_world(b_mm);
-  Looks looks(most_looks);
+  Looks looks(room_looks);
   const auto rim = rim_on_line(*world_, a_W, b_W, radius_m, looks);
   if (!rim || !is_shown(static_cast<std::size_t>(rim->surface))) return std::nullopt;
   const Vec3 up_W = (a_W - b_W).normalized();
