@@ -46,6 +46,7 @@ TEST(VMin, IsHeldWhereTeethAreShorterThanAWindow) {
 /// Where positions are so noisy that a window must be wider than a tooth, the first after slip may be missed
 /// too: it came out 4 % low in each of twelve sets, and was held in two.
 TEST(VMin, IsHeldWhereTheNoiseOfPositionsHidesTeeth) {
+  if (test::sanitized()) GTEST_SKIP() << "a fit like the others, of other numbers";
   test::KnownSensors sensors = test::bad_sensors();
   sensors.position_noise_m = 1.5e-4;
   int held = 0, sets = 0;
