@@ -145,21 +145,22 @@ ContactLimit limit_of(const ContactVerdict& verdict, std::size_t i, const std::s
   const double tolerance = on.contact.force_tolerance;
   ContactLimit limit{tolerance, {}, {}};
   const std::string cannot = fmt::format("force_tolerance {} cannot be kept", rounded_text(tolerance, 3));
+  std::string what = cannot;
   bool tells_instead = false;
   switch (verdict.unkept_on(i)) {
     case Unkept::nothing:
       return limit;
     case Unkept::grip:
       limit.kept_tolerance = nothing_kept;
-      limit.said = fmt::format("{}: {}", cannot, slips_round(on));
+      limit.why = slips_round(on);
       break;
     case Unkept::method: {
       const bool lags = falls_behind(on, error);
       limit.kept_tolerance =
           lags ? kept_force_tolerance(error.force_share + error.behind_share) : nothing_kept;
       tells_instead = std::isfinite(limit.kept_tolerance);
-      limit.said = fmt::format("{} by {}{}: {}", cannot, chosen.method->name,
-                               lags ? instead_words(limit.kept_tolerance) : "", chosen.fails[i]);
+      what += fmt::format(" by {}{}", chosen.method->name, lags ? instead_words(limit.kept_tolerance) : "");
+      limit.why = chosen.fails[i];
       break;
     }
     case Unkept::force: {
@@ -168,16 +169,16 @@ ContactLimit limit_of(const ContactVerdict& verdict, std::size_t i, const std::s
           slips_m > 0 && std::isfinite(kept) && is_rounded_tighter(on.contact.part.places, slips_m);
       limit.kept_tolerance = slips_off ? nothing_kept : kept;
       tells_instead = std::isfinite(kept);
-      limit.said = fmt::format("{}{}{}: {}", cannot, instead_words(kept),
-                               slips_off ? slips_words(slips_m) : "", facets_words(on, error));
+      what += instead_words(kept) + (slips_off ? slips_words(slips_m) : "");
+      limit.why = facets_words(on, error);
       break;
     }
     case Unkept::friction:
-      limit.said = fmt::format("{}: {}", friction_words(verdict, i), facets_words(on, error));
+      what = friction_words(verdict, i);
+      limit.why = facets_words(on, error);
       break;
   }
-  limit.why = limit.said.substr(limit.said.find(": ") + 2);
-  limit.said += "; " + mend;
+  limit.said = fmt::format("{}: {}; {}", what, limit.why, mend);
   // Whoever takes what can be kept of the force is not to find then that mu is not kept either.
   if (const std::string friction = friction_words(verdict, i); tells_instead && !friction.empty())
     limit.said += "; " + friction;

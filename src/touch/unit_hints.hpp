@@ -15,8 +15,8 @@ void add_unit_hint(const Verdict& verdict, const PartEntry& part, std::vector<st
 
 /// A line for a finger whose radius is meant in millimetres: larger than all parts; empty for others.
 std::string finger_hint(const World& world, const Scene& scene);
-/// Throws Error (refused) of one that is over half a metre, too, and presses with thousands of newtons then;
-/// but where there is a plane, on which a large ball may roll.
+/// Throws Error (refused) for such a finger of over half a metre, which would press with thousands of
+/// newtons, unless the scene has a plane, on which a large ball may roll.
 void refuse_huge_finger(const World& world, const Scene& scene);
 
 /// A line for each part that was read in an unlikely unit: "FILE: is 0.1 mm long; ..." (unit_hint); and for

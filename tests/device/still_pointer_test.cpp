@@ -165,6 +165,12 @@ TEST(StillPointer, PressesOnTheRimThatItCannotPass) {
   expect_rests(pointer, 0.2, 5);
 }
 
+/// So far a finger goes in a tick.
+double fastest_m(const PointedWorld& pointed, const StillPointer& pointer) {
+  const double along_m_per_s = pointer_limits::fastest_per_s * pointed.radius_m;
+  return std::max(pointer_limits::lifting_m_per_s, along_m_per_s) * pointer.tick_s();
+}
+
 // Ten times less, by the wheel: from one tick to the next that is a way of 9 mm.
 TEST(StillPointer, GoesOutNoFasterWhereLessIsAskedFor) {
   const PointedWorld pointed = scene_of("bracket");
@@ -175,9 +181,7 @@ TEST(StillPointer, GoesOutNoFasterWhereLessIsAskedFor) {
   ASSERT_GT(pointer.last().depth_m, 5e-3);
   pointer.point(pointed, *spot, 1);
   pointer.roams_m(0.1);
-  const double fastest_m_per_s =
-      std::max(pointer_limits::lifting_m_per_s, pointer_limits::fastest_per_s * pointed.radius_m);
-  EXPECT_LT(pointer.most_step_m(), 1.01 * fastest_m_per_s * pointer.tick_s());
+  EXPECT_LT(pointer.most_step_m(), 1.01 * fastest_m(pointed, pointer));
   EXPECT_NEAR(pointer.last().normal_force_n, 1, 0.2);
 }
 
@@ -192,9 +196,7 @@ TEST(StillPointer, IsLetGoNoFasterThanItGoesElsewhere) {
   pointer.point(pointed, *spot, 0);
   pointer.roams_m(0.1);
   EXPECT_EQ(pointer.last().walls, 0);
-  const double fastest_m_per_s =
-      std::max(pointer_limits::lifting_m_per_s, pointer_limits::fastest_per_s * pointed.radius_m);
-  EXPECT_LT(pointer.most_step_m(), 1.01 * fastest_m_per_s * pointer.tick_s());
+  EXPECT_LT(pointer.most_step_m(), 1.01 * fastest_m(pointed, pointer));
 }
 
 }  // namespace
