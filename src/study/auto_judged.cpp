@@ -1,5 +1,7 @@
 #include "study/auto_judged.hpp"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -83,20 +85,39 @@ bool is_judged(const JudgedCase& one, const JudgedRow& row, std::size_t variant)
   return one.judges_all_variants || variant == row.chosen || variant + 1 == contact_variants().size();
 }
 
-/// The worst of the promise's trials, by variant.
+/// What came of a trial, by variant.
+struct Tried {
+  std::vector<double> error_99;
+  std::vector<long> pop_throughs;
+};
+
+Tried tried(const JudgedCase& one, const JudgedRow& row, const JudgedCase& trial) {
+  const JudgedReference reference = judged_reference(trial);
+  const Promised promised = promised_of(trial, reference);
+  const std::size_t count = contact_variants().size();
+  Tried found{std::vector<double>(count, not_judged), std::vector<long>(count, 0)};
+  for (std::size_t v = 0; v < count; ++v) {
+    if (!is_judged(one, row, v)) continue;
+    const JudgedRun run = judged_run(trial, contact_variants()[v], 1);
+    found.error_99[v] = quantile_99(
+        error_shares(run.force_W_n, reference.force_W_n, promised, one.scene.contact.greatest_force_n / 10));
+    found.pop_throughs[v] = pop_throughs_in(trial, run, reference, promised);
+  }
+  return found;
+}
+
+/// The worst of the promise's trials, by variant. On all threads: nothing is timed here.
 void try_promise(const JudgedCase& one, JudgedRow& row) {
   for (std::size_t v = 0; v < contact_variants().size(); ++v)
     row.trial_99.push_back(is_judged(one, row, v) ? 0 : not_judged);
-  for (const JudgedCase& trial : promise_trials(one)) {
-    const JudgedReference reference = judged_reference(trial);
-    const Promised promised = promised_of(trial, reference);
+  const std::vector<JudgedCase> trials = promise_trials(one);
+  std::vector<Tried> all(trials.size());
+  tbb::parallel_for(std::size_t{0}, trials.size(),
+                    [&](std::size_t i) { all[i] = tried(one, row, trials[i]); });
+  for (const Tried& trial : all) {
     for (std::size_t v = 0; v < contact_variants().size(); ++v) {
-      if (!is_judged(one, row, v)) continue;
-      const JudgedRun run = judged_run(trial, contact_variants()[v], 1);
-      const std::vector<double> shares =
-          error_shares(run.force_W_n, reference.force_W_n, promised, one.scene.contact.greatest_force_n / 10);
-      row.trial_99[v] = std::max(row.trial_99[v], quantile_99(shares));
-      row.pop_throughs[v] += pop_throughs_in(trial, run, reference, promised);
+      row.trial_99[v] = std::max(row.trial_99[v], trial.error_99[v]);
+      row.pop_throughs[v] += trial.pop_throughs[v];
     }
   }
 }

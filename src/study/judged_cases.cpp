@@ -21,6 +21,9 @@ namespace fingerpad {
 namespace {
 
 constexpr double judged_ball_m = 0.007;
+/// Where a real part is at its worst in a region is a spot more often than not: of fewer strokes one alone
+/// would decide.
+constexpr int part_trial_strokes = 96;
 /// Parts less wide are touched to their scale.
 constexpr double whole_scale_m = 0.02;
 
@@ -157,6 +160,7 @@ void take_part_cases(const std::string& file, int strokes, const TakeCase& take)
     const Scene scene = open_scene(name + (radius_m > 0 ? ", a ball" : ", a point"), radius_m);
     JudgedCase judged{scene.name, scene, measured.chosen_for(scene)};
     judged.ways = strokes_over(judged.world->surfaces[0], scene, {strokes, scale});
+    judged.trial_strokes = part_trial_strokes;
     if (!judged.ways.empty()) take(judged);
   }
 }

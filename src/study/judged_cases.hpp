@@ -21,7 +21,8 @@ struct JudgedCase {
   /// The force on the finger where the surface is known exactly [N]; else empty.
   std::function<Vec3(const Vec3& p_WQ)> exact_force_n = {};
   bool is_exact_all_over = false;   ///< that force is known wherever a finger may touch the part
-  int trial_strokes = 16;           ///< in each region in which the promise is tried (promise_trial.hpp)
+  int trial_strokes = 24;           ///< with each press in each region in which the promise is tried
+                                    ///< (promise_trial.hpp)
   bool judges_all_variants = true;  ///< else the chosen one and the most complete: what the word asks for
 };
 
@@ -48,20 +49,29 @@ double touch_scale(const Part& part) noexcept;
 /// Those files of a folder whose ending `is_one` takes, by name.
 std::vector<std::string> files_of(const std::string& folder, bool (*is_one)(const std::string& ending));
 
+/// How hard strokes are pressed.
+enum class StrokePress {
+  mixed,     ///< every other with a tenth of the greatest force, the lightest touch that must be true, where
+             ///< facets that cut in count the most; the others with that to the greatest
+  lightest,  ///< with a tenth
+  hard,      ///< with a third of the greatest to the greatest
+};
+
 /// Which strokes, and how many.
 struct StrokePlan {
   int count = 0;
-  double scale = 1;         ///< of their length and speed, 1 at the most
-  unsigned seed = 11;       ///< of the places
-  int region = -1;          ///< in which they begin (region_of); -1: anywhere
-  double longest_m = 1;     ///< along the surface
-  bool starts_low = false;  ///< just over the surface, as hollows ask for; else by its own width higher
+  double scale = 1;            ///< of their length and speeds, 1 at the most
+  unsigned seed = 11;          ///< of the places
+  int region = -1;             ///< in which they begin (region_of); -1: anywhere
+  double longest_m = 1;        ///< along the surface, a leg
+  int legs = 1;                ///< along the surface, one after the other, each its own way
+  double down_m_per_s = 0.05;  ///< and up
+  bool starts_low = false;     ///< just over the surface, as hollows ask for; else by its own width higher
+  StrokePress press = StrokePress::mixed;
 };
 
-/// Strokes over a part: straight down onto places all over its outside, along for a while and up again. Every
-/// other is pressed with a tenth of the greatest force, the lightest touch that must be true, where facets
-/// that cut in count the most; the others with up to the greatest. The same at every run. Fewer where too few
-/// places are free.
+/// Strokes over a part: straight down onto places all over its outside, along for a while and up again. The
+/// same at every run. Fewer where too few places are free.
 /// @param surface  a part in its place
 std::vector<FingerPath> strokes_over(const Surface& surface, const Scene& scene, const StrokePlan& plan);
 

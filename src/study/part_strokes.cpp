@@ -14,7 +14,7 @@ namespace {
 
 /// Of the finger over the surface before it comes down, beside its radius.
 constexpr double low_m = 0.5e-3, high_m = 1e-3;
-constexpr double down_m_per_s = 0.05, along_m_per_s = 0.1, along_s = 0.2;
+constexpr double along_m_per_s = 0.1, along_s = 0.2;
 
 /// A place of a part's surface from where nothing of it lies in the way out.
 struct Landing {
@@ -43,6 +43,20 @@ bool is_free(const TriangleTree& tree, const Landing& landing, double height_m, 
   return tree.first_crossing(top, foot).triangle < 0 && tree.first_crossing(foot, top).triangle < 0;
 }
 
+/// Of the greatest force.
+double drawn_press(StrokePress press, bool is_other, RandomStream& random) {
+  constexpr double lightest = 0.1, hard = 1.0 / 3;
+  if (press == StrokePress::lightest || (press == StrokePress::mixed && !is_other)) return lightest;
+  return std::pow(press == StrokePress::hard ? hard : lightest, random.uniform());
+}
+
+/// A direction across n, unit.
+Vec3 drawn_across(const Vec3& n, RandomStream& random) {
+  const double turn = 2 * std::numbers::pi * random.uniform();
+  const Vec3 across = n.unitOrthogonal();
+  return std::cos(turn) * across + std::sin(turn) * n.cross(across);
+}
+
 void go_to(std::vector<Vec3>& places, const Vec3& to, double speed_m_per_s, double rate_hz) {
   const Vec3 from = places.back();
   const auto ticks = static_cast<int>(std::ceil((to - from).norm() / speed_m_per_s * rate_hz));
@@ -61,11 +75,9 @@ std::vector<FingerPath> strokes_over(const Surface& surface, const Scene& scene,
   for (int tries = 0; tries < 20 * plan.count && static_cast<int>(strokes.size()) < plan.count; ++tries) {
     const Landing landing = drawn_landing(part, lottery, random, plan.region);
     const Vec3 n = surface.R_WP * landing.normal_P;
-    const bool is_light = strokes.size() % 2 == 0;
-    const double depth_m = is_light ? greatest_m / 10 : greatest_m * std::pow(10.0, -random.uniform());
-    const double turn = 2 * std::numbers::pi * random.uniform();
-    const Vec3 across = n.unitOrthogonal(),
-               along = std::cos(turn) * across + std::sin(turn) * n.cross(across);
+    const double depth_m = greatest_m * drawn_press(plan.press, strokes.size() % 2 != 0, random);
+    std::vector<Vec3> ways_W;
+    for (int leg = 0; leg < plan.legs; ++leg) ways_W.push_back(drawn_across(n, random));
     const double height_m =
         radius_m + (plan.starts_low ? plan.scale * low_m : radius_m + plan.scale * high_m);
     if (!is_free(*surface.tree, landing, height_m, radius_m)) continue;
@@ -74,10 +86,11 @@ std::vector<FingerPath> strokes_over(const Surface& surface, const Scene& scene,
     const Vec3 deep = on + (radius_m - depth_m) * n;
     const double length_m =
         std::min({plan.scale * along_m_per_s * along_s, part.size_m() / 4, plan.longest_m});
-    go_to(places, deep, plan.scale * down_m_per_s, rate_hz);
-    go_to(places, deep + length_m * along, plan.scale * along_m_per_s, rate_hz);
-    go_to(places, deep + length_m * along + (height_m - radius_m + depth_m) * n, plan.scale * down_m_per_s,
-          rate_hz);
+    const double down_m_per_s = plan.scale * plan.down_m_per_s;
+    go_to(places, deep, down_m_per_s, rate_hz);
+    for (const Vec3& along_W : ways_W)
+      go_to(places, places.back() + length_m * along_W, plan.scale * along_m_per_s, rate_hz);
+    go_to(places, places.back() + (height_m - radius_m + depth_m) * n, down_m_per_s, rate_hz);
     strokes.push_back(way_through(places, scene));
   }
   return strokes;

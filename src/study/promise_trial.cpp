@@ -16,8 +16,12 @@ namespace {
 
 constexpr unsigned trial_seed = 12;
 constexpr int anywhere = -1;
-/// Of a part's longest side: strokes stay about the region in which they begin.
-constexpr double stroke_share = 1.0 / 16;
+/// Of a part's longest side, an eighth of which is a region: strokes go about in short legs, so that they
+/// cover it evenly, as reckoning does.
+constexpr double leg_share = 1.0 / 64;
+constexpr int legs = 8;
+/// So quick that most ticks are along the surface, not where strokes come down.
+constexpr double down_m_per_s = 0.25;
 
 /// Where each way to touch is reckoned to be at its worst, and, since what cannot be reached is no trial,
 /// where the next worst is.
@@ -46,14 +50,19 @@ std::vector<JudgedCase> promise_trials(const JudgedCase& one) {
     std::set<int> regions = worst_regions(surface, press);
     regions.insert(anywhere);
     StrokePlan plan{one.trial_strokes, touch_scale(*surface.part), trial_seed};
-    plan.longest_m = stroke_share * 2 * surface.part->half_extent.maxCoeff();
+    plan.longest_m = leg_share * 2 * surface.part->half_extent.maxCoeff();
+    plan.legs = legs;
+    plan.down_m_per_s = down_m_per_s;
     plan.starts_low = true;
     for (const int region : regions) {
-      plan.region = region;
-      JudgedCase trial = one;
-      trial.ways = strokes_over(surface, one.scene, plan);
-      if (!trial.is_exact_all_over) trial.exact_force_n = {};
-      if (!trial.ways.empty()) trials.push_back(std::move(trial));
+      for (const StrokePress press : {StrokePress::lightest, StrokePress::hard}) {
+        plan.region = region;
+        plan.press = press;
+        JudgedCase trial = one;
+        trial.ways = strokes_over(surface, one.scene, plan);
+        if (!trial.is_exact_all_over) trial.exact_force_n = {};
+        if (!trial.ways.empty()) trials.push_back(std::move(trial));
+      }
     }
   }
   return trials;
