@@ -9,6 +9,7 @@
 #include "contact/triangle_tree.hpp"
 #include "device/pointer_finger.hpp"
 #include "scene/scene.hpp"
+#include "touch/finger_room.hpp"
 #include "touch/touch.hpp"
 
 namespace fingerpad::test {
@@ -48,7 +49,8 @@ inline std::optional<double> meets(const Part& part, int t, const Vec3& from, co
   return along;
 }
 
-/// Looks along `-towards_eye_W` as the window does, on parts seen from either side and on planes.
+/// Looks along `-towards_eye_W` as the window does, on parts seen from either side and on planes; on bars
+/// before what is seen, where the finger is too large for their gaps.
 inline std::optional<Spot> spot_under(const PointedWorld& pointed, const Vec3& from_W, const Vec3& way_W) {
   std::optional<Spot> found;
   const auto offer = [&](const Spot& spot) {
@@ -80,7 +82,11 @@ inline std::optional<Spot> spot_under(const PointedWorld& pointed, const Vec3& f
       if (const auto along_m = meets(part, t, from_P, way_P)) offer_triangle(t, *along_m);
     }
   }
-  return found;
+  if (!found) return found;
+  Looks looks(room_looks);
+  const double radius_m = pointed.scene.finger.radius_m;
+  const auto rim = rim_before(*pointed.world, from_W, found->point_W, found->normal_W, radius_m, looks);
+  return rim ? Spot{rim->centre_W + radius_m * way_W, -way_W, 0} : found;
 }
 
 /// What a pointer on its way did to the finger.
