@@ -97,6 +97,7 @@ struct PointerRun {
   double last_off_m = 0;         ///< of the finger from the spot, at rest
   bool ends_on_part = false;
   int touched = 0, ticks = 0;
+  int harder = 0;                   ///< ticks that press harder than was asked for, by more than 6 %
   double most_step_m = 0;           ///< of a tick
   double most_touching_step_m = 0;  ///< of a tick after one that touched
 };
@@ -216,6 +217,7 @@ class PointerWalk {
   void note(const TickRecord& row, PointerRun& run) const {
     run.most_n = std::max(run.most_n, row.normal_force_n);
     run.last_n = row.normal_force_n;
+    run.harder += row.normal_force_n > 1.06 * press_n_ ? 1 : 0;
     if (row.walls == 0) return;
     ++run.touched;
     const double off_m = (row.p_WQ - row.contact_W).norm() - radius_m();
