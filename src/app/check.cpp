@@ -90,7 +90,13 @@ CheckedMesh checked(const std::string& path, ImportOptions how) {
   tell(progress, "building the search tree", 0.5);
   mesh.tree = std::make_shared<TriangleTree>(mesh.imported.part);
   tell(progress, "measuring its walls", 0.85);
-  mesh.wall_m = told_wall_m(*mesh.imported.part, measure_part(*mesh.imported.part, *mesh.tree));
+  const PartMeasures measures = measure_part(*mesh.imported.part, *mesh.tree);
+  mesh.wall_m = told_wall_m(*mesh.imported.part, measures);
+  if (measures.overlap_count > 0)
+    mesh.imported.verdict.warnings.push_back(fmt::format(
+        "overlapping: on {} of {} ways through its walls another sheet comes first: bodies lie in "
+        "each other, or the surface passes through itself",
+        measures.overlap_count, measures.ray_count));
   return mesh;
 }
 

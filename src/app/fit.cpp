@@ -1,6 +1,8 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 
@@ -35,14 +37,32 @@ struct FitOptions {
   CleaningOptions cleaning;
 };
 
+/// What is refused for one reason stands in one line; the profile has the reason beside each number.
+void tell_refusals(const ProfileFit& fit) {
+  std::vector<std::pair<std::string_view, std::vector<std::string_view>>> by_reason;
+  for (std::size_t k = 0; k < pad_number_keys.size(); ++k) {
+    const std::string_view reason = fit.values[k].refusal;
+    if (reason.empty()) continue;
+    const auto same = std::ranges::find(by_reason, reason, [](const auto& one) { return one.first; });
+    if (same != by_reason.end()) {
+      same->second.push_back(pad_number_keys[k]);
+    } else {
+      by_reason.push_back({reason, {pad_number_keys[k]}});
+    }
+  }
+  for (const auto& [reason, keys] : by_reason) {
+    const std::string others = keys.size() == 1 ? ""
+                                                : fmt::format("; so for {} more: {}", keys.size() - 1,
+                                                              fmt::join(keys.begin() + 1, keys.end(), ", "));
+    print_out("{:<30} refused: {}{}\n", keys.front(), reason, others);
+  }
+}
+
 void tell_fit(const ProfileFit& fit) {
   for (const std::string& note : fit_notes(fit)) print_out("{}\n", note);
   for (std::size_t k = 0; k < pad_number_keys.size(); ++k) {
     const PadValue& value = fit.values[k];
-    if (!value.refusal.empty()) {
-      print_out("{:<30} refused: {}\n", std::string(pad_number_keys[k]), value.refusal);
-      continue;
-    }
+    if (!value.refusal.empty()) continue;
     const auto& both = fit.interval[k];
     print_out("{:<30} {:<11.5g} {:<5} {} ({} sample{}, {} trial{})\n", std::string(pad_number_keys[k]),
               value.value, unit_of_key(pad_number_keys[k]),
@@ -50,6 +70,7 @@ void tell_fit(const ProfileFit& fit) {
                    : no_interval_words(fit.no_interval[k]),
               value.samples, value.samples == 1 ? "" : "s", value.trials, value.trials == 1 ? "" : "s");
   }
+  tell_refusals(fit);
 }
 
 void warn(const std::vector<std::string>& warnings) {

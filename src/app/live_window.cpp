@@ -22,7 +22,7 @@ void add_live_window_options(CLI::App& command, std::string& size) {
 }
 
 void need_live_window(const LiveWindowChoice& choice) {
-  need_display();
+  need_display(headless_instead);
   read_size(choice.size);
 }
 

@@ -131,7 +131,7 @@ int view(const ViewOptions& options) {
   const MovieChoice movie{size.width, size.height, options.frames_per_s, options.speed};
   if (options.output().empty()) {
     refuse_unfit_subject(options.subject);
-    need_display();
+    need_display(picture_instead);
   } else {
     refuse_output(options, movie);
   }

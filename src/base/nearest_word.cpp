@@ -57,6 +57,21 @@ std::string only_one_without_unit(std::string_view word, const std::vector<std::
   return std::ranges::count_if(known, begins_it) == 1 ? *found : "";
 }
 
+/// The only word that is near it up to its unit: "stiffness_n_per_m" of "stifness".
+std::string only_one_near_without_unit(std::string_view word, const std::vector<std::string>& known) {
+  constexpr std::size_t least_letters = 5;
+  if (word.size() < least_letters) return {};
+  std::vector<std::string> found;
+  for (const std::string& whole : known) {
+    for (std::size_t end = whole.find('_'); end != std::string::npos; end = whole.find('_', end + 1)) {
+      if (edit_distance(word, std::string_view(whole).substr(0, end)) > 2 * (word.size() / 4)) continue;
+      found.push_back(whole);
+      break;
+    }
+  }
+  return found.size() == 1 ? found.front() : "";
+}
+
 std::string only_one_with_part(std::string_view part, const std::vector<std::string>& known) {
   const auto has_part = [&](const std::string& whole) { return has_between_hyphens(whole, part); };
   const auto found = std::ranges::find_if(known, has_part);
@@ -92,6 +107,7 @@ std::string nearest_word(std::string_view word, const std::vector<std::string>& 
   }
   if (nearest.empty()) nearest = only_one_with_part(word, known);
   if (nearest.empty()) nearest = only_one_with_start(word, known);
+  if (nearest.empty()) nearest = only_one_near_without_unit(word, known);
   return nearest.empty() ? only_one_without_unit(word, known) : nearest;
 }
 

@@ -40,6 +40,7 @@ HandFinger::HandFinger(const DeviceSetup& setup, double dt_s)
   // Without a spring nothing draws it anywhere.
   if (!setup.world || !(settings_.stiffness_n_per_m > 0)) return;
   flight_.emplace(setup.world, setup.scene, settings_, dt_s, setup.start.p_WQ);
+  leash_ = HandLeash(flight_->height_m());
   stiffest_n_per_m_ = stiffest_of(*setup.world);
 }
 
@@ -120,16 +121,25 @@ Vec3 HandFinger::next_intended_W(const Vec3& wanted_W, const TickRecord& tick) n
   return next_W;
 }
 
-/// Until it is over the spot that is to be pressed it flies; and again once it is not to press.
+/// Whether it can stay on the surface. @pre it presses
+bool HandFinger::is_held(const TickRecord& tick) noexcept {
+  const double off_m = std::max(0.0, (seen_.finger.p_WQ - hand_.position_W()).norm() - tick.depth_m);
+  return leash_.holds(seen_.finger.p_WQ, off_m, dt_s_);
+}
+
+/// Until it is over the spot that is to be pressed it flies; and again once it is not to press, or is held up
+/// on its way.
 bool HandFinger::flies(const Vec3& goal_W, const TickRecord& tick) noexcept {
   if (!flight_) return false;
   const bool did = !comes_down_;
-  if (!(push_n() > 0)) {
-    comes_down_ = false;
-  } else if (did && flight_->has_arrived(goal_W) && tick.walls == 0) {
+  const bool presses = push_n() > 0;
+  if (presses && did && flight_->has_arrived(goal_W) && tick.walls == 0) {
     comes_down_ = lands_ = true;
     intended_.put(place_W_, Vec3::Zero());
     landing_.put(place_W_, Vec3::Zero());
+    leash_.begin(seen_.finger.p_WQ);
+  } else if (!presses || (!did && !is_held(tick))) {
+    comes_down_ = false;
   }
   if (!comes_down_ && !did) flight_->put(place_W_);
   return !comes_down_;
@@ -148,7 +158,9 @@ Vec3 HandFinger::gently_W(const Vec3& intended_W, const TickRecord& tick) const 
   const double along_m = std::clamp(pull_W.dot(down_W), -aside_n / k, down_n / k);
   Vec3 aside_W = pull_W - pull_W.dot(down_W) * down_W;
   aside_W *= std::min(1.0, aside_n / k / std::max(aside_n / k, aside_W.norm()));
-  const Vec3 drawn_W = along_m * down_W + aside_W;
+  Vec3 drawn_W = along_m * down_W + aside_W;
+  // Into what it touches, too, with no more than it is to press with: a spot round an edge lies on that way.
+  if (tick.walls > 0) drawn_W += std::max(0.0, -drawn_W.dot(tick.normal_W) - down_n / k) * tick.normal_W;
   // Dry friction must not hold it up on its way; where it has come to rest on a surface, it may.
   const Vec3 starts_W = tick.walls > 0 ? Vec3::Zero() : drawn_W;
   const double critical = 2 * std::sqrt(m * std::max(k, stiffest_n_per_m_));

@@ -2,6 +2,7 @@
 
 #include "device/follower.hpp"
 #include "device/hand_flight.hpp"
+#include "device/hand_leash.hpp"
 #include "device/latest.hpp"
 #include "device/live_device.hpp"
 #include "device/pointer_aim.hpp"
@@ -13,7 +14,8 @@ namespace fingerpad {
 /// the surface pushes back. What it does to the finger is what `replay` does with a motion and a [hand]: what
 /// is felt is where the hand's encoders put the finger. Where it knows its world it hovers without touching,
 /// comes down over the spot, and is drawn aside over it so gently that a wall that it meets stops it with
-/// less than the scene's greatest force, along the axes that it moves along by itself.
+/// less than the scene's greatest force, along the axes that it moves along by itself. Where that leads no
+/// nearer to the spot, it lifts and flies there.
 class HandFinger final : public LiveDevice {
  public:
   HandFinger(const DeviceSetup& setup, double dt_s);
@@ -31,6 +33,7 @@ class HandFinger final : public LiveDevice {
   struct Change;
 
   double push_n() const noexcept { return seen_.finger.push_W_n.norm(); }
+  bool is_held(const TickRecord& tick) noexcept;
   bool flies(const Vec3& goal_W, const TickRecord& tick) noexcept;
   Vec3 gently_W(const Vec3& intended_W, const TickRecord& tick) const noexcept;
   Vec3 next_intended_W(const Vec3& wanted_W, const TickRecord& tick) noexcept;
@@ -40,6 +43,7 @@ class HandFinger final : public LiveDevice {
   double greatest_n_, stiffest_n_per_m_ = 0;  ///< of the scene, and of its surfaces
   SimulatedHand hand_;
   std::optional<HandFlight> flight_;  ///< none where it knows of no world
+  HandLeash leash_{0};                ///< while it comes down and presses
   bool comes_down_ = false;           ///< else it flies, pressed or not, until it is over the spot
   Vec3 wants_W_;                      ///< where the hand wants to be now
   Follower intended_;                 ///< where the mouse goes, as a hand would follow it

@@ -180,6 +180,7 @@ bool PointerFinger::turns_about_edge(const Vec3& aside_W) const noexcept {
   return (foresight_.held_W() - held_W()).dot(aside_W) < -rounding * aside_W.squaredNorm();
 }
 
+/// The longest step aside that keeps the force; where none does, the longest that may be made.
 void PointerFinger::press(double dt_s) noexcept {
   flight_.note_way(held_W() + flight_.soft_m() * touched_.normal_W);
   const SurfaceProperties& surface = around_.properties(std::max(touched_.surface, 0));
@@ -191,7 +192,9 @@ void PointerFinger::press(double dt_s) noexcept {
   pressed_most_n_ = within(tried_share);
   // Asked for less than it presses with it goes out in many ticks, and presses no harder meanwhile.
   const double most_n = std::max(pressed_most_n_, touched_.normal_force_n);
+  const double gentle_n = std::min(most_n, std::max(gentle_share * wanted_n_, touched_.normal_force_n));
   Vec3 aside_W = aside(dt_s);
+  std::optional<Vec3> harder_W;  // the longest that presses harder than that
   for (int i = 0; i <= most_halvings; ++i, aside_W /= 2) {
     const Vec3 step_W = aside_W - in_m * touched_.normal_W;
     const double felt_n = foresight_.try_n(flight_.place_W() + step_W, dt_s);
@@ -199,9 +202,11 @@ void PointerFinger::press(double dt_s) noexcept {
       aside_W.setZero();
       continue;
     }
-    if (felt_n <= most_n) return flight_.put(flight_.place_W() + step_W, step_W / dt_s);
+    if (felt_n <= gentle_n) return flight_.put(flight_.place_W() + step_W, step_W / dt_s);
+    if (felt_n <= most_n && !harder_W) harder_W = step_W;
     if (aside_W.isZero(0)) break;
   }
+  if (harder_W) return flight_.put(flight_.place_W() + *harder_W, *harder_W / dt_s);
   steps_.give_way(touched_, most_n, any_force_n, fastest_m(dt_s), dt_s);
 }
 

@@ -22,7 +22,10 @@ RecordedTable read_table(const std::string& path, RecordingFormat& format) {
                      {},
                      format.dialect,
                      TableSource::file,
-                     "say which of them stands for what, as in [motion] columns = { t = \"time\" }"};
+                     format.reads_normal_force
+                         ? "say which of them stands for what, as in [motion] columns = { t = \"time\", "
+                           "fn = \"press\" }, whose fn is the normal force"
+                         : "say which of them stands for what, as in [motion] columns = { t = \"time\" }"};
   request.takes_units = true;
   request.mark_mend = separator_mend;
   request.decimal_key = "decimal = \"{}\" in [motion]";

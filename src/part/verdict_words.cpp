@@ -79,8 +79,9 @@ void tell_edges(Verdict& verdict) {
   if (verdict.inconsistent_edges > 0) {
     warnings.push_back(
         fmt::format("inconsistent winding: at {} the triangles on both sides are wound against each other; "
-                    "inside and outside may be wrong near them",
-                    many(verdict.inconsistent_edges, "edge")));
+                    "inside and outside may be wrong near them{}",
+                    many(verdict.inconsistent_edges, "edge"),
+                    verdict.repaired ? "" : "; repair = true in a scene (check --repair) turns them alike"));
   }
 }
 

@@ -28,7 +28,7 @@ void plot_trace(const std::string& trace_path, const std::string& picture_path) 
 }
 
 void show_trace(const std::string& trace_path) {
-  need_display();
+  need_display(picture_instead);
   run_view_window(input_of(trace_path), WindowOptions{});
 }
 

@@ -126,14 +126,15 @@ void warn_of_odd_depth(const Scene& scene, const World& world, const FingerPath&
 }
 
 /// What a finished run's figures tell of its recording.
-void warn_of_run(const Scene& scene, const World& world, const FingerPath& path, JobResult& result) {
+void warn_of_run(const Scene& scene, const World& world, const FingerPath& path, const std::string& job_name,
+                 JobResult& result) {
   warn_of_odd_depth(scene, world, path, result);
   if (const auto press = hard_press(scene, result.figures))  // told once for the batch
     result.kept_warnings.push_back(fmt::format("the normal force is up to {} N where {} N is asked for",
                                                rounded_text(press->felt_n, 3),
                                                rounded_text(press->asked_n, 3)));
   for (const std::string& words : residual_warnings(result.figures))
-    result.warnings.push_back(fmt::format("{}: {}", scene.name, words));
+    result.warnings.push_back(fmt::format("{}: {}", job_name.empty() ? scene.name : job_name, words));
 }
 
 /// Told of each mesh that is larger than what meshes may take.
@@ -168,7 +169,7 @@ JobResult run_job(const Scene& scene_as_written, MeshStore& meshes, MotionStore&
   for (std::string& line : unit_hints(*world, scene)) warn(result, std::move(line));
   if (output.path.empty()) {
     result.figures = run(scene, world, path, info, output, contacts).figures;
-    warn_of_run(scene, *world, path, result);
+    warn_of_run(scene, *world, path, output.name, result);
     return result;
   }
   const RunDigest digest = run_digest(info, output.format);
@@ -184,7 +185,7 @@ JobResult run_job(const Scene& scene_as_written, MeshStore& meshes, MotionStore&
       remove_unfinished(output.path);
       result.figures = *figures;
       result.kept = true;
-      warn_of_run(scene, *world, path, result);
+      warn_of_run(scene, *world, path, output.name, result);
       return result;
     }
     result.made_again = why_not_kept(output.path, digest, info.scene_text);
@@ -192,7 +193,7 @@ JobResult run_job(const Scene& scene_as_written, MeshStore& meshes, MotionStore&
 
   const RunEnd end = run(scene, world, path, info, output, contacts);
   result.figures = end.figures;
-  warn_of_run(scene, *world, path, result);
+  warn_of_run(scene, *world, path, output.name, result);
   write_proof(output.path, digest, result.figures, end.trace);
   return result;
 }

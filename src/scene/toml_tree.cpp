@@ -4,6 +4,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <sstream>
 #include <tuple>
 #include <utility>
 
@@ -220,13 +221,34 @@ std::string_view type_text(TomlNode::Type type) noexcept {
   return "";
 }
 
+namespace {
+
+/// Whether a number goes on there with a comma and digits: "0,3", which TOML writes 0.3. Lists have their
+/// commas within brackets, of which the parser complains otherwise.
+bool has_decimal_comma(const std::string& text, const Place& place) {
+  std::istringstream lines(text);
+  std::string line;
+  for (int k = 0; k < place.line; ++k)
+    if (!std::getline(lines, line)) return false;
+  const auto at = static_cast<std::size_t>(std::max(place.column, 0));
+  const auto is_digit = [&](std::size_t k) { return k < line.size() && line[k] >= '0' && line[k] <= '9'; };
+  for (std::size_t comma = line.find(','); comma != std::string::npos; comma = line.find(',', comma + 1))
+    if (comma + 1 == at || comma + 2 == at) return comma > 0 && is_digit(comma - 1) && is_digit(comma + 1);
+  return false;
+}
+
+}  // namespace
+
 TomlNode parse_toml(const std::string& text, const std::string& file) {
   refuse_deep_keys(text, file);
   try {
     const toml::table table = toml::parse(text, file);
     return Converter(text).table(table);
   } catch (const toml::parse_error& error) {
-    throw refused(place_text(file, place_of(error.source())), fmt::format("{}", error.description()));
+    const Place place = place_of(error.source());
+    if (has_decimal_comma(text, place))
+      throw refused(place_text(file, place), "a number has a comma: write a decimal point, as in 0.3");
+    throw refused(place_text(file, place), fmt::format("{}", error.description()));
   }
 }
 

@@ -34,6 +34,14 @@ void doubt_positions(FileTrials trials, const MeasurementFormat& format, std::ve
   constexpr double farthest_m = 0.5, refused_m = 1, fastest = 1.5;
   const double nearest_m = trials.front().lacks.empty() ? 0.5e-3 : 0.05e-3;  // what a pad yields
   const double way_m = usual(trials, extent_m), speed = usual(trials, fastest_m_per_s);
+  const double as_metres_m = way_m / format.metres_per_unit;
+  if (format.says_unit && way_m < nearest_m && as_metres_m >= nearest_m && as_metres_m <= farthest_m) {
+    doubts.push_back({false, fmt::format("in the unit of --unit its positions reach over {} mm, less than a "
+                                         "finger rubs, and as metres over {} mm: if they are metres, say "
+                                         "--unit m",
+                                         rounded_text(1e3 * way_m, 3), rounded_text(1e3 * as_metres_m, 3))});
+    return;
+  }
   if (!format.says_unit && way_m > refused_m) {
     doubts.push_back(
         {true, fmt::format("taken as metres, its positions reach over {} m: say --unit mm (or cm, in), "

@@ -75,4 +75,58 @@ std::optional<RimPlace> rim_on_line(const World& world, const Vec3& from_W, cons
   return RimPlace{stop.place_W, stop.by.surface};
 }
 
+namespace {
+
+/// Whether a ball gets from a place to another, straight on where it is free and else along what is in its
+/// way, ever nearer.
+bool slides_to(const World& world, Vec3 from_W, const Vec3& to_W, double radius_m, Looks& looks) noexcept {
+  constexpr int most_steps = 48, most_pushes = 6;
+  constexpr double hardly_share = 0.02, step_share = 0.3, there_share = 0.5;
+  const double hardly_m = hardly_share * radius_m, touching_m = radius_m + hardly_m;
+  for (int i = 0; i < most_steps; ++i) {
+    Vec3 way_W = to_W - from_W;
+    const double left_m = way_W.norm();
+    if (left_m <= there_share * radius_m) return true;
+    const NearestSurface nearest = nearest_surface(world, from_W, Normals::facet, radius_m + left_m, looks);
+    if (!nearest.is_sure || looks.left() <= 0) return true;  // nothing is known to be in its way
+    const double free_m = nearest.clear_m - radius_m;
+    if (free_m >= left_m) return true;
+    const Vec3 out_W = (from_W - nearest.at.point_W).normalized();
+    if (free_m < 2 * hardly_m) way_W -= std::min(0.0, way_W.dot(out_W)) * out_W;
+    const double along_m = way_W.norm();
+    if (!(along_m > 0)) return false;
+    Vec3 next_W = from_W + std::min(1.0, std::max(free_m, step_share * radius_m) / along_m) * way_W;
+    bool is_clear = false;
+    for (int k = 0; k < most_pushes && !is_clear; ++k) {
+      const NearestSurface by = nearest_surface(world, next_W, Normals::facet, 2 * radius_m, looks);
+      is_clear = by.clear_m >= radius_m - hardly_m;
+      if (is_clear) break;
+      if (by.clear_m <= 0) return false;
+      next_W = by.at.point_W + touching_m * (next_W - by.at.point_W).normalized();
+    }
+    if (!is_clear || !((to_W - next_W).norm() < left_m - hardly_m)) return false;
+    from_W = next_W;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::optional<RimPlace> rim_before(const World& world, const Vec3& from_W, const Vec3& spot_W,
+                                   const Vec3& normal_W, double radius_m, Looks& looks) noexcept {
+  // Less than this over the spot is a part of its own surface; in coarse facets it goes so far in.
+  constexpr double over_share = 0.5, room_share = 0.75;
+  const Vec3 line_W = from_W - spot_W;
+  const double length_m = line_W.norm();
+  if (!(radius_m > 0) || !(length_m > 0)) return std::nullopt;
+  const Vec3 up_W = line_W / length_m, place_W = spot_W + radius_m * normal_W;
+  if (nearest_surface(world, place_W, Normals::facet, radius_m, looks).clear_m < room_share * radius_m)
+    return std::nullopt;
+  const Stop stop = stop_on_line(world, spot_W, up_W, length_m + 2 * radius_m, radius_m, looks);
+  if (!stop.is_stopped || (stop.by.at.point_W - spot_W).dot(normal_W) < over_share * radius_m)
+    return std::nullopt;
+  if (slides_to(world, stop.place_W, place_W, radius_m, looks)) return std::nullopt;
+  return RimPlace{stop.place_W, stop.by.surface};
+}
+
 }  // namespace fingerpad

@@ -106,7 +106,9 @@ void read_file(MotionReading& reading) {
   reading.motion = std::move(recording.motion);
   if (!reads_force) reading.motion.normal_force_n.clear();
   if (reads_force && reading.motion.normal_force_n.empty())
-    throw refused(settings.file_path, "holds no normal force, which normal_force = \"measured\" asks for");
+    throw refused(settings.file_path,
+                  "holds no normal force, which normal_force = \"measured\" asks for: where its column is "
+                  "called otherwise than fn_n, say columns = { fn = \"NAME\" } in [motion]");
   const std::string how = reading_text(recording.read_as);
   if (!how.empty()) reading.note(how);
   for (const std::string& note : recording.notes) reading.note(note);

@@ -16,10 +16,12 @@ namespace {
 constexpr double help_column_em = 34;
 
 /// The page's head, in which is told what has just been done: the page lies where that is told else.
-void paint_help_head(Drawing& drawing, const OverlayFacts& facts, const Box& page, double em) {
+void paint_help_head(Drawing& drawing, const OverlayFacts& facts, const Box& page, double em, bool is_cut) {
   const double height = 2.4 * em, line = 1.1 * em, middle = page.top() - height / 2;
   if (facts.message.empty()) {
-    drawing.text({page.centre().x(), middle}, "keys and mouse",
+    const std::string words =
+        is_cut ? fitted("too small: enlarge it", 1.2 * em, true, page.width - em) : "keys and mouse";
+    drawing.text({page.centre().x(), middle}, words,
                  {.size = 1.2 * em, .across = Across::centre, .upright = Upright::middle, .bold = true});
     return;
   }
@@ -71,10 +73,25 @@ std::vector<std::string> shown_lines(const OverlayFacts& facts, const HelpLines&
   return lines;
 }
 
+/// Where in a line stands what a key does, and how much is left free before it and at the end.
+double does_px(double size) {
+  return 11 * size;
+}
+double gap_px(double size) {
+  return 0.4 * size;
+}
+
+/// Whether a line of the page has not room for all of its words.
+bool is_cut(const std::string& entry, double size, double width) {
+  const std::size_t colon = entry.find(": ");
+  return colon != std::string::npos &&
+         text_width(entry.substr(colon + 2), size) > width - does_px(size) - gap_px(size);
+}
+
 /// "key: what it does".
 void paint_help_entry(Drawing& drawing, const Vec2& at, const std::string& entry, double size, double width) {
   const std::size_t colon = entry.find(": ");
-  const double does = 11 * size, gap = 0.4 * size;
+  const double does = does_px(size), gap = gap_px(size);
   drawing.text(at, fitted(entry.substr(0, colon), size, true, does - gap),
                {.size = size, .upright = Upright::middle, .bold = true});
   if (colon == std::string::npos) return;
@@ -93,9 +110,12 @@ void paint_help(Drawing& drawing, const OverlayFacts& facts, const Box& room, do
   const Box box{room.centre().x() - width / 2, room.centre().y() - height / 2, width, height};
   drawing.box(box, colours::white);  // charts and readings lie beneath
   drawing.frame(box, {colours::ink, 0.12 * em});
-  paint_help_head(drawing, facts, box, em);
   const double column_width = (width - em) / columns;
   const std::vector<std::string> entries = shown_lines(facts, lie);
+  const bool any_is_cut =
+      entries.size() < facts.help.size() ||
+      std::ranges::any_of(entries, [&](const auto& entry) { return is_cut(entry, lie.size, column_width); });
+  paint_help_head(drawing, facts, box, em, any_is_cut);
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const double column = std::floor(static_cast<double>(i) / per_column);
     const double left = box.left + em + column * column_width;

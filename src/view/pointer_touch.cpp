@@ -112,7 +112,9 @@ bool PointerTouch::point_at(double x_px, double y_px) {
   if (!hit) return false;
   // Seen from the back of an open part the finger is on this side too.
   const bool from_behind = hit->normal_W.dot(far_mm - near_mm) > 0;
-  target_.point_at(hit->point_W, from_behind ? Vec3(-hit->normal_W) : hit->normal_W, hit->surface);
+  const Vec3 seen_W = from_behind ? Vec3(-hit->normal_W) : hit->normal_W;
+  hit->on_rim ? target_.point_at_rim(hit->point_W, seen_W, hit->surface)
+              : target_.point_at(hit->point_W, seen_W, hit->surface);
   return true;
 }
 

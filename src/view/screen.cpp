@@ -114,10 +114,10 @@ std::unique_ptr<VirtualScreen> screen_to_draw_on() {
   return has_display() ? nullptr : std::make_unique<VirtualScreen>();
 }
 
-void need_display() {
+void need_display(std::string_view instead) {
   if (has_display()) return;
   throw Error(ErrorKind::usage, "no display",
-              "a window needs a screen: set DISPLAY, or write a picture instead (view --png FILE)");
+              fmt::format("a window needs a screen: set DISPLAY, or {}", instead));
 }
 
 }  // namespace fingerpad

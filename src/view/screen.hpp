@@ -33,6 +33,11 @@ class VirtualScreen {
 std::unique_ptr<VirtualScreen> screen_to_draw_on();
 
 /// Throws Error (usage) where no window can open: none is of use on a virtual screen.
-void need_display();
+/// @param instead  what can be done without one
+void need_display(std::string_view instead);
+
+inline constexpr std::string_view picture_instead = "write a picture instead (view --png FILE)";
+inline constexpr std::string_view headless_instead =
+    "touch without a window (--headless, with --device recorded, network or another that needs none)";
 
 }  // namespace fingerpad

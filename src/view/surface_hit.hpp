@@ -13,7 +13,8 @@ struct SurfaceHit {
   Vec3 point_W = Vec3::Zero();
   Vec3 normal_W = Vec3::UnitZ();  ///< unit, outward
   int surface = -1;
-  double along = 0;  ///< 0 at the line's start, 1 at its end
+  double along = 0;     ///< 0 at the line's start, 1 at its end
+  bool on_rim = false;  ///< under a finger that is too large for what lies beyond
 };
 
 /// Where the line from a to b first meets a surface: a part from either side, by the tree that it is touched

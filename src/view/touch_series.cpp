@@ -112,6 +112,18 @@ double tangential_speed(const TickRecord& before, const TickRecord& row) {
   return tangential_step(before, row).norm() / dt_s;
 }
 
+std::vector<double> mean_speed(std::span<const TickRecord> rows, double span_s) {
+  std::vector<double> speeds;
+  speeds.reserve(rows.size());
+  std::size_t first = 0;  // of the span
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (rows[i].phase == Phase::free) first = i + 1;
+    while (first + 1 < i && rows[first].t_s < rows[i].t_s - span_s) ++first;
+    speeds.push_back(first < i ? tangential_speed(rows[first], rows[i]) : TickRecord::nan);
+  }
+  return speeds;
+}
+
 double shown_speed(const TickRecord& before, const TickRecord& row) {
   const double dt_s = row.t_s - before.t_s;
   const bool in_contact = row.phase != Phase::free && before.phase != Phase::free;

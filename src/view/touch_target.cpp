@@ -25,6 +25,12 @@ void TouchTarget::point_at(const Vec3& point_W, const Vec3& normal_W, int surfac
   spot_W_ = point_W;
   normal_W_ = normal_W;
   surface_ = surface;
+  on_rim_ = false;
+}
+
+void TouchTarget::point_at_rim(const Vec3& point_W, const Vec3& normal_W, int surface) {
+  point_at(point_W, normal_W, surface);
+  on_rim_ = true;
 }
 
 void TouchTarget::move_by(const Vec3& step_W, const Vec3& towards_eye_W, const Vec3& finger_W) {
@@ -32,6 +38,7 @@ void TouchTarget::move_by(const Vec3& step_W, const Vec3& towards_eye_W, const V
     spot_W_ += step_W;
     return;
   }
+  on_rim_ = false;
   if (radius_m_ > 0) rest_at(begin_roll_W(towards_eye_W, finger_W), 2 * radius_m_);
   const Vec3 along_W = step_W - step_W.dot(normal_W_) * normal_W_;
   const double reach_m = radius_m_ + 10 * step_W.norm() + hover_m_;
@@ -92,6 +99,7 @@ bool TouchTarget::is_kept_from_spot(const Vec3& finger_W) const {
   // In a corner of two walls a ball stays 0.41 of its radius away.
   constexpr double well_away_share = 0.5;
   if (surface_ < 0) return false;
+  if (on_rim_) return true;
   const double touching_m = radius_m_ + (pressing_ ? 0 : hover_m_);
   return (finger_W - spot_W_).norm() > touching_m + well_away_share * radius_m_ &&
          is_too_large_for(*world_, spot_W_, normal_W_, radius_m_);

@@ -17,6 +17,8 @@ class TouchTarget {
 
   /// Over this spot of a surface.
   void point_at(const Vec3& point_W, const Vec3& normal_W, int surface);
+  /// The same of a spot under a finger that is too large for what the pointer is over.
+  void point_at_rim(const Vec3& point_W, const Vec3& normal_W, int surface);
   /// Over the surface from the present spot, by a step in space, as a ball of the finger's size rolls: round
   /// edges, and over slots that are too narrow for it. No step leads it farther than twice the step, but for
   /// the first out of a spot that it is too large for: there it begins where the finger is that has come as
@@ -35,7 +37,7 @@ class TouchTarget {
   FingerSample sample() const;
   /// How far in that presses it.
   Vec3 pressed_W() const;
-  /// Whether a finger that is there stays clear of the spot, since it is too large for it.
+  /// Whether a finger that is there stays clear of what is pointed at, since it is too large for it.
   bool is_kept_from_spot(const Vec3& finger_W) const;
 
  private:
@@ -49,7 +51,7 @@ class TouchTarget {
   Vec3 spot_W_, normal_W_ = Vec3::UnitZ();
   int surface_ = -1;  ///< -1: nothing pointed at yet
   double most_n_, least_n_, press_n_;
-  bool pressing_ = false;
+  bool pressing_ = false, on_rim_ = false;
 };
 
 }  // namespace fingerpad

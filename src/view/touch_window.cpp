@@ -226,7 +226,7 @@ class TouchWindow {
 }  // namespace
 
 void run_touch_window(const TouchWindowInput& input, const WindowOptions& options) {
-  need_display();
+  need_display(headless_instead);
   TouchWindow(input, options).run();
 }
 

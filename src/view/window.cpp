@@ -115,7 +115,7 @@ class ViewWindow {
 }  // namespace
 
 void run_view_window(const ViewInput& input, const WindowOptions& options) {
-  need_display();
+  need_display(picture_instead);
   ViewWindow(input, options).run();
 }
 

@@ -203,13 +203,19 @@ std::optional<SurfaceHit> WorldProps::first_hit(const Vec3& a_mm, const Vec3& b_
 }
 
 std::optional<SurfaceHit> WorldProps::finger_hit(const Vec3& a_mm, const Vec3& b_mm, double radius_m) const {
-  if (auto hit = first_hit(a_mm, b_mm); hit || !world_) return hit;
-  const Vec3 a_W = space_.to_world(a_mm), b_W = space_.to_world(b_mm);
+  const auto hit = first_hit(a_mm, b_mm);
+  if (!world_) return hit;
+  const Vec3 a_W = space_.to_world(a_mm), b_W = space_.to_world(b_mm), up_W = (a_W - b_W).normalized();
   Looks looks(room_looks);
-  const auto rim = rim_on_line(*world_, a_W, b_W, radius_m, looks);
-  if (!rim || !is_shown(static_cast<std::size_t>(rim->surface))) return std::nullopt;
-  const Vec3 up_W = (a_W - b_W).normalized();
-  return SurfaceHit{rim->centre_W - radius_m * up_W, up_W, rim->surface, 0};
+  std::optional<RimPlace> rim;
+  if (hit) {
+    const Vec3 seen_W = hit->normal_W.dot(up_W) < 0 ? Vec3(-hit->normal_W) : hit->normal_W;
+    rim = rim_before(*world_, a_W, hit->point_W, seen_W, radius_m, looks);
+  } else {
+    rim = rim_on_line(*world_, a_W, b_W, radius_m, looks);
+  }
+  if (!rim || !is_shown(static_cast<std::size_t>(rim->surface))) return hit;
+  return SurfaceHit{rim->centre_W - radius_m * up_W, up_W, rim->surface, 0, true};
 }
 
 }  // namespace fingerpad

@@ -50,8 +50,8 @@ class WorldProps {
   /// The first surface on the way from a to b that is shown, draw space [mm]. Nothing is built for it and it
   /// waits for nobody. Any thread.
   std::optional<SurfaceHit> first_hit(const Vec3& a_mm, const Vec3& b_mm) const;
-  /// The same of a finger: where the line itself meets nothing, the rim of a hole that a finger of this
-  /// radius is too large for, as a spot under the finger that rests there.
+  /// The same of a finger: where one of this radius is too large for the hole that the line falls through, or
+  /// for the slot that its spot is seen through, the rim, as a spot under the finger that rests there.
   std::optional<SurfaceHit> finger_hit(const Vec3& a_mm, const Vec3& b_mm, double radius_m) const;
 
   /// Distance between the lines of a plane's grid [m]; 0 without a plane.

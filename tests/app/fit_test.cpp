@@ -258,7 +258,8 @@ TEST_F(Fit, GivesTheNormalLawOfANormalForceAlone) {
   EXPECT_EQ(pressed.exit_code, 0) << pressed.err;
   EXPECT_THAT(pressed.out, ContainsRegex("normal_exponent +(2|1\\.99|2\\.0)"));
   EXPECT_THAT(pressed.out,
-              HasSubstr("mu_static                      refused: pressed.csv: column fx_n missing"));
+              HasSubstr("lateral_axis_m                 refused: pressed.csv: column fx_n missing; so for 17 "
+                        "more: longitudinal_axis_m, "));
   EXPECT_THAT(pressed.out, HasSubstr("wrote pressed.toml (4 trials of 1 subject)"));
   EXPECT_THAT(pressed.err,
               HasSubstr("pressed.csv: column fx_n missing: its normal force tells the pad's normal "

@@ -45,6 +45,15 @@ TEST(NearestWord, KnowsAQuantityByItsNameWithAUnit) {
   EXPECT_EQ(nearest_word("z_m", headers), "");
 }
 
+TEST(NearestWord, KnowsAMisspeltQuantityWithoutItsUnit) {
+  const std::vector<std::string> keys{"point_m", "stiffness_n_per_m", "damping_n_s_per_m", "mu_static",
+                                      "mu_dynamic"};
+  EXPECT_EQ(nearest_word("stifness", keys), "stiffness_n_per_m");
+  EXPECT_EQ(nearest_word("dampng", keys), "damping_n_s_per_m");
+  EXPECT_EQ(nearest_word("stifness", {"stiffness_n_per_m", "stiffness_per_m"}), "") << "two are as near";
+  EXPECT_EQ(nearest_word("nonsense", keys), "");
+}
+
 TEST(NearestWord, KnowsAWordByItsStart) {
   EXPECT_EQ(nearest_word("closes", words), "closest-point");
   EXPECT_EQ(nearest_word("stick-p", words), "stick-pad");

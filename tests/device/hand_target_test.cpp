@@ -75,6 +75,33 @@ TEST(HandTarget, ComesDownOverTheNewSpotWhereItIsPressedInOneEvent) {
 }
 
 // What steers it is made for a hand without dry friction, which eats up 1 N.
+// Its spring held it against the side that it was on, with up to half of the greatest force, for as long as
+// the button was held.
+TEST(HandTarget, GoesRoundAnEdgeThatThePointerHasJumpedRound) {
+  const Scene scene = test::plane_scene("finger-pad");
+  const auto world = test::world_of(test::box_soup({0.1, 0.1, 0.04}));
+  const double radius_m = scene.finger.radius_m;
+  for (const double press_n : {0.5, 1.0, 3.0}) {
+    for (const Vec3& side : {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 0, -1)}) {
+      SCOPED_TRACE(testing::Message() << press_n << " N on " << side.transpose());
+      HandRun run(scene, world, HandSettings{}, {0.02, 0, 0.05 + radius_m});
+      run.finger.look_from({1, 0, 1});
+      run.finger.set_target(aim({0.02, 0, 0.02 + radius_m}, {0, 0, -press_n}));
+      run.go(2);
+      ASSERT_GT(run.row.normal_force_n, 0.7 * press_n);
+      run.most_n = 0;
+      const Vec3 place_W =
+          side.x() == 0 ? Vec3(0.02, 0, -0.02 - radius_m) : Vec3((0.05 + radius_m) * side.x(), 0, -0.005);
+      run.finger.set_target(aim(place_W, -press_n * side));
+      run.go(3);
+      EXPECT_LT(run.most_n, 1.1 * press_n);
+      EXPECT_GT(run.row.normal_force_n, 0.7 * press_n) << "on the new spot";
+      EXPECT_GT(run.row.normal_W.dot(side), 0.99);
+      EXPECT_LT((run.sample.p_WQ - place_W).norm(), 0.005);
+    }
+  }
+}
+
 TEST(HandTarget, HoversAndLandsAgainstDryFriction) {
   const Scene scene = test::plane_scene("none");
   const auto world = test::world_of(test::box_soup({0.1, 0.1, 0.04}));

@@ -76,7 +76,7 @@ TEST(PointerFinger, NeverStrikesTwiceAsHardWhereThePointerJumpsOffThePartAndBack
 // once nothing but a longer step keeps the force: that is rare.
 TEST(PointerFinger, GoesNoFartherInATickOfAPressThanItGoesAside) {
   const auto worlds = pointed_worlds();
-  int jumped = 0;
+  int jumped = 0, touched = 0, harder = 0;
   double farthest = 0;
   for (int k = 0; k < path_count; ++k) {
     const PointedWorld& pointed = worlds[static_cast<std::size_t>(k) % worlds.size()];
@@ -89,9 +89,13 @@ TEST(PointerFinger, GoesNoFartherInATickOfAPressThanItGoesAside) {
     // Aside and in together.
     jumped += run.most_touching_step_m > 1.5 * fastest_m ? 1 : 0;
     farthest = std::max(farthest, run.most_touching_step_m);
+    touched += run.touched;
+    harder += run.harder;
   }
   EXPECT_LE(jumped, std::max(1, path_count / 100));
-  fmt::print("{} of {} jumped, by up to {:.2f} mm\n", jumped, path_count, 1e3 * farthest);
+  EXPECT_LT(harder, 3e-4 * touched) << "a shorter step keeps the force, wherever one does";
+  fmt::print("{} of {} jumped, by up to {:.2f} mm; {} of {} ticks pressed harder\n", jumped, path_count,
+             1e3 * farthest, harder, touched);
 }
 
 /// Presses on (0, 0, top) of a world for a second. @returns the normal forces of its ticks

@@ -9,6 +9,7 @@
 #include "contact/triangle_tree.hpp"
 #include "device/pointer_finger.hpp"
 #include "scene/scene.hpp"
+#include "touch/finger_room.hpp"
 #include "touch/touch.hpp"
 
 namespace fingerpad::test {
@@ -48,7 +49,8 @@ inline std::optional<double> meets(const Part& part, int t, const Vec3& from, co
   return along;
 }
 
-/// Looks along `-towards_eye_W` as the window does, on parts seen from either side and on planes.
+/// Looks along `-towards_eye_W` as the window does, on parts seen from either side and on planes; on bars
+/// before what is seen, where the finger is too large for their gaps.
 inline std::optional<Spot> spot_under(const PointedWorld& pointed, const Vec3& from_W, const Vec3& way_W) {
   std::optional<Spot> found;
   const auto offer = [&](const Spot& spot) {
@@ -80,7 +82,11 @@ inline std::optional<Spot> spot_under(const PointedWorld& pointed, const Vec3& f
       if (const auto along_m = meets(part, t, from_P, way_P)) offer_triangle(t, *along_m);
     }
   }
-  return found;
+  if (!found) return found;
+  Looks looks(room_looks);
+  const double radius_m = pointed.scene.finger.radius_m;
+  const auto rim = rim_before(*pointed.world, from_W, found->point_W, found->normal_W, radius_m, looks);
+  return rim ? Spot{rim->centre_W + radius_m * way_W, -way_W, 0} : found;
 }
 
 /// What a pointer on its way did to the finger.
@@ -91,6 +97,7 @@ struct PointerRun {
   double last_off_m = 0;         ///< of the finger from the spot, at rest
   bool ends_on_part = false;
   int touched = 0, ticks = 0;
+  int harder = 0;                   ///< ticks that press harder than was asked for, by more than 6 %
   double most_step_m = 0;           ///< of a tick
   double most_touching_step_m = 0;  ///< of a tick after one that touched
 };
@@ -210,6 +217,7 @@ class PointerWalk {
   void note(const TickRecord& row, PointerRun& run) const {
     run.most_n = std::max(run.most_n, row.normal_force_n);
     run.last_n = row.normal_force_n;
+    run.harder += row.normal_force_n > 1.06 * press_n_ ? 1 : 0;
     if (row.walls == 0) return;
     ++run.touched;
     const double off_m = (row.p_WQ - row.contact_W).norm() - radius_m();

@@ -135,6 +135,21 @@ TEST(PointerRim, APressOnTheWallOfASlotThatIsTooNarrowRestsOnTheSlotsRim) {
   }
 }
 
+// It went round the bars, to a floor where the pointer is not.
+TEST(PointerRim, APressThroughASlotOntoAFloorRestsOnTheSlotsRim) {
+  constexpr double gap_m = 0.009, press_n = 2;
+  const TriangleSoup floor = test::moved(test::box_soup({0.3, 0.3, 0.01}), {0, 0, -0.06});
+  const PointedWorld pointed = pointed_world(test::joined(grill_soup(0.02, gap_m, 1), floor));
+  Pressing pressing(pointed, Vec3::UnitZ(), Vec3(-0.03, 0, 0.03), press_n);
+  pressing.point({0.001, 0, 0});
+  pressing.go(1.5);
+  const auto rows = pressing.go(0.2);
+  EXPECT_EQ(forces_of(rows).without_contact, 0);
+  EXPECT_NEAR(rows.back().normal_force_n, press_n, 0.02 * press_n);
+  EXPECT_GT(rows.back().contact_W.z(), -1e-3);
+  EXPECT_LT(std::abs(rows.back().contact_W.x()), gap_m / 2 + 1e-3) << "on the rim";
+}
+
 // Beside the corner the spot's place is in the other wall. There the finger came no nearer, let go, and could
 // not land again.
 TEST(PointerRim, ASlowPointerInACornerKeepsTheForce) {

@@ -43,6 +43,14 @@ TEST(SceneRefusal, NamesTheTableOfAKeyThatStandsInAnother) {
   EXPECT_THAT(refusal("[[part]]\nmesh = \"a\"\ncolour = 3\n"), Not(HasSubstr("did you mean")));
 }
 
+TEST(SceneRefusal, AsksForADecimalPointWhereANumberHasAComma) {
+  EXPECT_THAT(refusal(plane_scene + "mu_static = 0,3\n"),
+              StartsWith("s.toml:5:14: a number has a comma: write a decimal point, as in 0.3"));
+  EXPECT_THAT(refusal(plane_scene + "mu_static = 12,3 # high\n"), HasSubstr("decimal point"));
+  EXPECT_THAT(refusal(plane_scene + "mu_static = 0.3, mu_dynamic = 0.2\n"), Not(HasSubstr("decimal point")));
+  EXPECT_THAT(refusal(plane_scene + "[finger]\ndirection = [0,1 2]\n"), Not(HasSubstr("decimal point")));
+}
+
 TEST(SceneRefusal, NamesThePlaceOfAWrongType) {
   EXPECT_THAT(refusal(plane_scene + "mu_static = \"high\"\n"),
               StartsWith("s.toml:5:13: 'mu_static' in [[plane]] must be a number, not a string"));

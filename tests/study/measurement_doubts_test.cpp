@@ -77,6 +77,12 @@ TEST(MeasurementDoubts, ASaidUnitThatIsHardlyAFingersIsToldAsAWarning) {
                                                      HasSubstr("m/s, faster than a finger rubs")));
   const auto tiny = [](RecordedTrial& trial) { trial.position_W *= 5e-3; };
   EXPECT_THAT(warned(tiny, true), ElementsAre(HasSubstr("mm, less than a finger rubs")));
+  MeasurementFormat as_mm;
+  as_mm.says_unit = true;
+  as_mm.metres_per_unit = 1e-3;
+  RecordedMeasurement metres = test::known_measurement(rubs, {}, test::bad_sensors(), 1);
+  for (RecordedTrial& trial : metres.trials) trial.position_W *= 1e-3;
+  EXPECT_THAT(doubts_of(metres, as_mm), testing::Contains(HasSubstr("if they are metres, say --unit m")));
   const auto quick = [](RecordedTrial& trial) { trial.rate_hz *= 1e3; };
   EXPECT_THAT(warned(quick, true), ElementsAre(HasSubstr("1000000 samples a second"),
                                                HasSubstr("positions go at 37.3 m/s, faster")));

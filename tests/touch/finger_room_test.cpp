@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 
 #include "support/shapes.hpp"
@@ -56,6 +57,60 @@ TEST(FingerRoom, AFingerRestsOnTheRimOfASlotThatItsLineFallsThrough) {
   EXPECT_FALSE(rim_at(0, 0)) << "and for a point";
   EXPECT_FALSE(rim_at(0.056, 0.007)) << "beside the part, by less than a radius: it slips off";
   EXPECT_FALSE(rim_at(0.2, 0.007)) << "far beside it";
+}
+
+/// That slot, as wide as asked for, over a floor so far below its mouth.
+World slot_over_floor(double width_m, double floor_m) {
+  const TriangleSoup block = test::moved(test::box_soup({0.05, 0.1, 0.005}), {0, 0, -0.0025});
+  const double off_m = 0.025 + width_m / 2;
+  const TriangleSoup bars =
+      test::joined(test::moved(block, {off_m, 0, 0}), test::moved(block, {-off_m, 0, 0}));
+  World world = *test::world_of(
+      test::joined(bars, test::moved(test::box_soup({0.2, 0.2, 0.01}), {0, 0, -floor_m - 0.005})));
+  world.verdicts.emplace_back().closed = true;
+  return world;
+}
+
+// It went round the bars to the floor, which lies where nobody pointed.
+TEST(FingerRoom, AFingerRestsOnTheRimOfASlotWhoseFloorIsSeen) {
+  constexpr double radius_m = 0.007, floor_m = 0.04;
+  const Vec3 spot_W(0.001, 0, -floor_m);
+  for (const Vec3& eye_W : {Vec3(0, 0, 1), Vec3(-0.02, 0.4, 1), Vec3(0.03, -0.6, 1)}) {
+    SCOPED_TRACE(testing::Message() << eye_W.transpose());
+    const auto rim_with = [&](double width_m) {
+      Looks looks(20000);
+      return rim_before(slot_over_floor(width_m, floor_m), spot_W + 0.2 * eye_W, spot_W, Vec3::UnitZ(),
+                        radius_m, looks);
+    };
+    for (const double width_m : {0.004, 0.008, 0.0135}) {
+      const auto rim = rim_with(width_m);
+      ASSERT_TRUE(rim) << width_m;
+      EXPECT_LT((rim->centre_W - spot_W).cross(eye_W.normalized()).norm(), 1e-12) << "on the line";
+      EXPECT_GT(rim->centre_W.z(), 0) << "over the mouth";
+      const double to_bar_m = width_m / 2 - std::abs(rim->centre_W.x());
+      EXPECT_NEAR(std::hypot(to_bar_m, rim->centre_W.z()), radius_m, 0.02 * radius_m) << "and on its edge";
+    }
+    EXPECT_FALSE(rim_with(0.0150)) << "there is room";
+    EXPECT_FALSE(rim_with(0.03));
+  }
+  Looks few(10);
+  EXPECT_FALSE(rim_before(slot_over_floor(0.008, floor_m), {0, 0, 0.2}, spot_W, Vec3::UnitZ(), radius_m, few))
+      << "not known";
+}
+
+// What is seen beside an edge is pointed at, and there is a way round the edge.
+TEST(FingerRoom, OneEdgeBeforeTheSpotHidesNothing) {
+  constexpr double radius_m = 0.007;
+  World world =
+      *test::world_of(test::joined(test::moved(test::box_soup({0.05, 0.1, 0.005}), {-0.025, 0, 0.04}),
+                                   test::moved(test::box_soup({0.2, 0.2, 0.01}), {0, 0, -0.005})));
+  world.verdicts.emplace_back().closed = true;
+  for (const double x_m : {-0.03, 0.001, 0.004}) {
+    const Vec3 spot_W(x_m, 0, 0), beside_edge_W(0.001, 0, 0.04), above_W(0.002, 0, 0.2);
+    const Vec3 from_W = x_m > 0 ? above_W : Vec3(spot_W + 5 * (beside_edge_W - spot_W));
+    Looks looks(20000);
+    EXPECT_FALSE(rim_before(world, from_W, spot_W, Vec3::UnitZ(), radius_m, looks)) << x_m;
+  }
 }
 
 TEST(FingerRoom, InsideOfAClosedPartIsLessThanNoRoom) {

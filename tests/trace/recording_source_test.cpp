@@ -174,6 +174,14 @@ TEST(RecordingSource, ATraceHasARateAndNormalForcesToo) {
   EXPECT_NEAR(motion.path.at(30).normal_force_n.value(), 3, 1e-9);
 }
 
+TEST(RecordingSource, NamesTheKeyOfANormalForceThatIsCalledOtherwise) {
+  const Scene scene = scene_with("file = \"m.csv\"\nnormal_force = \"measured\"\n");
+  std::ofstream(test::scratch_dir() / "m.csv") << "t_s,x_m,y_m,z_m,press\n0,0,0,0,1\n0.01,0,0,0,1\n";
+  EXPECT_THAT(
+      test::why_not([&] { load_motion(scene); }),
+      AllOf(HasSubstr("no column 'fn_n'"), HasSubstr("fn = \"press\" }, whose fn is the normal force")));
+}
+
 TEST(RecordingSource, WarnsOfForcesThatPressNothing) {
   const Scene scene = scene_with("file = \"m.csv\"\nnormal_force = \"measured\"\nrate_hz = 100\n");
   const auto warnings = [&](const std::string& forces) {

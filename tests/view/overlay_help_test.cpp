@@ -67,5 +67,23 @@ TEST(OverlayHelp, SaysHowMuchItLeavesOutOfASmallWindow) {
   EXPECT_FALSE(says_more(1280, 800));
 }
 
+// Words were cut there without a word of why.
+TEST(OverlayHelp, SaysInItsHeadThatTheWindowIsTooSmall) {
+  const auto has = [](int width, int height, const std::string& words) {
+    OverlayFacts facts;
+    facts.help = help_lines(windows::touch | windows::led);
+    ViewState state;
+    state.help = true;
+    const Drawing drawing = overlay_drawing(facts, state, layout_for(width, height, true, false));
+    return std::ranges::any_of(drawing.marks(), [&](const auto& mark) {
+      const auto* const text = std::get_if<Drawing::Text>(&mark);
+      return text != nullptr && text->words == words;
+    });
+  };
+  EXPECT_TRUE(has(200, 200, "too small: enlarge it"));
+  EXPECT_FALSE(has(200, 200, "keys and mouse"));
+  EXPECT_TRUE(has(1280, 800, "keys and mouse"));
+}
+
 }  // namespace
 }  // namespace fingerpad::overlay_help_test

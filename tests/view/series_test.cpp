@@ -67,6 +67,32 @@ TEST(ShownSpeed, IsTheFingersOwnInTheAirAndTangentialInContact) {
   EXPECT_TRUE(std::isnan(shown_speed(row, row))) << "no time has passed";
 }
 
+// From tick to tick an encoder of 30 um makes 0 or 30 mm/s of 20 mm/s.
+TEST(MeanSpeed, LevelsOutTheStepsOfAnEncoder) {
+  constexpr double speed_m_per_s = 0.02, encoder_m = 3e-5;
+  std::vector<TickRecord> rows;
+  for (int i = 0; i < 300; ++i) {
+    TickRecord row;
+    row.t_s = 1e-3 * i;
+    row.phase = i < 50 ? Phase::free : Phase::slip;
+    row.contact_W = Vec3(encoder_m * std::round(speed_m_per_s * row.t_s / encoder_m), 0, 0);
+    row.p_WQ = row.contact_W;
+    row.normal_W = Vec3::UnitZ();
+    rows.push_back(row);
+  }
+  const std::vector<double> speeds = mean_speed(rows, 0.02);
+  ASSERT_EQ(speeds.size(), rows.size());
+  for (std::size_t i = 0; i < 51; ++i) EXPECT_TRUE(std::isnan(speeds[i])) << i;
+  // A step more or less in 20 ms.
+  for (std::size_t i = 75; i < speeds.size(); ++i)
+    EXPECT_NEAR(speeds[i], speed_m_per_s, encoder_m / 0.02) << i;
+  ViewInput input = torus_rub(0);
+  input.scene->hand.emplace().encoder_m = encoder_m;
+  const Chart chart = touch_chart(rows, Vec3::UnitX(), touch_levels(input));
+  EXPECT_EQ(chart.panels[1].curves[0].name, "speed, mean of 20 ms");
+  EXPECT_NEAR(chart.panels[1].curves[0].y.back(), 20, 1.5);
+}
+
 TEST(TouchSeries, NamesAWorldAxisAndKeepsItsCoordinate) {
   const auto rows = plane_rub(Vec3::UnitY());
   const TouchSeries series = touch_series(rows, main_direction(rows));

@@ -96,6 +96,43 @@ TEST(LineHit, OfAPlaneIsSeenFromItsOutsideAlone) {
   EXPECT_FALSE(line_hit(plane, Vec3(1, 2, 3), Vec3(1, 2, 1)));
 }
 
+/// Two bars `gap_m` apart over a floor that is one part with them.
+ViewInput bars_over_floor(double gap_m) {
+  const TriangleSoup bar = test::box_soup({0.05, 0.1, 0.005});
+  const double off_m = 0.025 + gap_m / 2;
+  const TriangleSoup bars =
+      test::joined(test::moved(bar, {off_m, 0, -0.0025}), test::moved(bar, {-off_m, 0, -0.0025}));
+  ViewInput input = test::torus_rub(0);
+  World world =
+      *test::world_of(test::joined(bars, test::moved(test::box_soup({0.2, 0.2, 0.01}), {0, 0, -0.045})));
+  world.verdicts.emplace_back().closed = true;
+  input.world = std::make_shared<World>(world);
+  input.rows.clear();
+  return input;
+}
+
+// What is seen through a slot was pointed at, and the finger went round the bars to it.
+TEST(WorldProps, AFingerIsMeantOnTheBarsWhoseSlotItIsTooLargeFor) {
+  const VirtualScreen screen;
+  const Vec3 above_mm(1, 0, 100), below_mm(1, 0, -100);
+  constexpr double radius_m = 0.007;
+  const auto hit_through = [&](double gap_m) {
+    Stage stage(bars_over_floor(gap_m), 400, 300, true, false);
+    const auto seen = stage.world().first_hit(above_mm, below_mm);
+    EXPECT_TRUE(seen && std::abs(seen->point_W.z() + 0.04) < 1e-9) << "the floor is seen";
+    return stage.world().finger_hit(above_mm, below_mm, radius_m);
+  };
+  const auto rim = hit_through(0.008);
+  ASSERT_TRUE(rim);
+  EXPECT_TRUE(rim->on_rim);
+  EXPECT_EQ(rim->normal_W, Vec3(Vec3::UnitZ()));
+  EXPECT_NEAR(rim->point_W.z() + radius_m, std::sqrt(radius_m * radius_m - 9e-6), 0.02 * radius_m);
+  const auto floor = hit_through(0.016);
+  ASSERT_TRUE(floor);
+  EXPECT_FALSE(floor->on_rim);
+  EXPECT_NEAR(floor->point_W.z(), -0.04, 1e-9);
+}
+
 std::size_t bytes_held() {
   const struct mallinfo2 held = mallinfo2();
   return held.uordblks + held.hblkhd;

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <algorithm>
+#include <limits>
+
+#include "base/types.hpp"
+
+namespace fingerpad {
+
+/// Whether a hand that presses can be drawn on over the surface to what its pointer asks for, or must lift
+/// and fly there: round an edge its spring would hold it against the side for ever. noexcept, allocates
+/// nothing.
+class HandLeash {
+ public:
+  /// @param near_m  as near as this it is there
+  explicit HandLeash(double near_m) noexcept : near_m_(near_m) {}
+
+  /// It comes down to be pressed at this place.
+  void begin(const Vec3& place_W) noexcept {
+    landed_for_W_ = place_W;
+    nearest_m_ = std::numeric_limits<double>::infinity();
+    delay_s_ = 0;
+  }
+
+  /// A tick of the press.
+  /// @param off_m  how far the hand is from the place
+  bool holds(const Vec3& place_W, double off_m, double dt_s) noexcept {
+    constexpr double patience_s = 0.2, gain = 0.02;
+    delay_s_ += dt_s;
+    if (off_m < near_m_ || off_m < (1 - gain) * nearest_m_) {
+      nearest_m_ = off_m;
+      delay_s_ = 0;
+    }
+    // Landed as near as could be, it stays until the pointer goes on.
+    if (off_m < near_m_ || (place_W - landed_for_W_).norm() < near_m_) return true;
+    return delay_s_ < patience_s;
+  }
+
+ private:
+  double near_m_;
+  Vec3 landed_for_W_ = Vec3::Zero();
+  double nearest_m_ = 0, delay_s_ = 0;  ///< how near it has come, and for how long no nearer
+};
+
+}  // namespace fingerpad
