@@ -104,7 +104,8 @@ void add_study(CLI::App& program, Action& action) {
       "most "
       "complete model: choices.csv, a chart, and scene.toml with the cheapest choice that keeps the scene's "
       "tolerances; under a minute.\n"
-      "Each takes ten to thirty seconds. Files named *_measured hold times of this machine; all others are "
+      "contact takes a minute or two, friction and stability ten to thirty seconds. Files named *_measured "
+      "hold times of this machine; all others are "
       "the same "
       "at every run.");
   command->callback([options, exact, &action] {
