@@ -15,7 +15,8 @@ namespace fingerpad {
 /// broken off is gone on with in the next tick.
 struct ServoLooks {
   static constexpr long most = 13500;
-  /// At a part of more triangles than any cache holds (some 16 MB) a look takes half as long again.
+  /// At a part that comes from memory, and not from a cache of some 16 MB that cores share, a look takes half
+  /// as long again. (TriangleTree tells of a core's own cache, which is smaller.)
   static constexpr int cached_triangles = 200000;
   static constexpr long most_from_memory = most * 2 / 3;
   /// What a tick among these surfaces may cost: by the largest part.

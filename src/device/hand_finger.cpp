@@ -121,8 +121,8 @@ Vec3 HandFinger::next_intended_W(const Vec3& wanted_W, const TickRecord& tick) n
   return next_W;
 }
 
-/// Whether it can stay on the surface. @pre it presses
-bool HandFinger::is_held(const TickRecord& tick) noexcept {
+/// Whether it can stay on the surface for another tick, which its leash counts. @pre it presses
+bool HandFinger::leash_holds(const TickRecord& tick) noexcept {
   const double off_m = std::max(0.0, (seen_.finger.p_WQ - hand_.position_W()).norm() - tick.depth_m);
   return leash_.holds(seen_.finger.p_WQ, off_m, dt_s_);
 }
@@ -138,7 +138,7 @@ bool HandFinger::flies(const Vec3& goal_W, const TickRecord& tick) noexcept {
     intended_.put(place_W_, Vec3::Zero());
     landing_.put(place_W_, Vec3::Zero());
     leash_.begin(seen_.finger.p_WQ);
-  } else if (!presses || (!did && !is_held(tick))) {
+  } else if (!presses || (!did && !leash_holds(tick))) {
     comes_down_ = false;
   }
   if (!comes_down_ && !did) flight_->put(place_W_);

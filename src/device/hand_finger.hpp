@@ -33,7 +33,7 @@ class HandFinger final : public LiveDevice {
   struct Change;
 
   double push_n() const noexcept { return seen_.finger.push_W_n.norm(); }
-  bool is_held(const TickRecord& tick) noexcept;
+  bool leash_holds(const TickRecord& tick) noexcept;
   bool flies(const Vec3& goal_W, const TickRecord& tick) noexcept;
   Vec3 gently_W(const Vec3& intended_W, const TickRecord& tick) const noexcept;
   Vec3 next_intended_W(const Vec3& wanted_W, const TickRecord& tick) noexcept;

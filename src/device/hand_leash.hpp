@@ -17,7 +17,7 @@ class HandLeash {
 
   /// It comes down to be pressed at this place.
   void begin(const Vec3& place_W) noexcept {
-    landed_for_W_ = place_W;
+    landed_for_W_ = last_place_W_ = place_W;
     nearest_m_ = std::numeric_limits<double>::infinity();
     delay_s_ = 0;
   }
@@ -27,6 +27,9 @@ class HandLeash {
   bool holds(const Vec3& place_W, double off_m, double dt_s) noexcept {
     constexpr double patience_s = 0.2, gain = 0.02;
     delay_s_ += dt_s;
+    // As far as the place goes away, it need not have come nearer.
+    nearest_m_ += (place_W - last_place_W_).norm();
+    last_place_W_ = place_W;
     if (off_m < near_m_ || off_m < (1 - gain) * nearest_m_) {
       nearest_m_ = off_m;
       delay_s_ = 0;
@@ -38,7 +41,7 @@ class HandLeash {
 
  private:
   double near_m_;
-  Vec3 landed_for_W_ = Vec3::Zero();
+  Vec3 landed_for_W_ = Vec3::Zero(), last_place_W_ = Vec3::Zero();
   double nearest_m_ = 0, delay_s_ = 0;  ///< how near it has come, and for how long no nearer
 };
 

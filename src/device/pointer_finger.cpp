@@ -180,7 +180,8 @@ bool PointerFinger::turns_about_edge(const Vec3& aside_W) const noexcept {
   return (foresight_.held_W() - held_W()).dot(aside_W) < -rounding * aside_W.squaredNorm();
 }
 
-/// The longest step aside that keeps the force; where none does, the longest that may be made.
+/// The longest step aside that keeps the force that is asked for; where none does, the longest that leaves it
+/// within what a step may.
 void PointerFinger::press(double dt_s) noexcept {
   flight_.note_way(held_W() + flight_.soft_m() * touched_.normal_W);
   const SurfaceProperties& surface = around_.properties(std::max(touched_.surface, 0));

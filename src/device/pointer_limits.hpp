@@ -8,7 +8,7 @@ namespace fingerpad::pointer_limits {
 /// A step is made where it leaves the force below so many times what is asked for. Less than twice: what
 /// foresight cannot tell, as vibration, comes on top.
 inline constexpr double tried_share = 1.5, surely_share = 1.8;
-/// One that is shorter, and keeps it below so many times, is made rather.
+/// A shorter one that keeps it below so many times is preferred.
 inline constexpr double gentle_share = 1.05;
 /// Where there is nothing else to do.
 inline constexpr double any_force_n = std::numeric_limits<double>::infinity();

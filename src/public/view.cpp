@@ -28,7 +28,7 @@ void plot_trace(const std::string& trace_path, const std::string& picture_path) 
 }
 
 void show_trace(const std::string& trace_path) {
-  need_display(picture_instead);
+  need_display("call draw_trace() instead");
   run_view_window(input_of(trace_path), WindowOptions{});
 }
 

@@ -1,12 +1,11 @@
 #include "study/auto_judged.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "contact/contact_cost.hpp"
+#include "part/in_parallel.hpp"
 #include "study/promise_trial.hpp"
 
 namespace fingerpad {
@@ -112,8 +111,13 @@ void try_promise(const JudgedCase& one, JudgedRow& row) {
     row.trial_99.push_back(is_judged(one, row, v) ? 0 : not_judged);
   const std::vector<JudgedCase> trials = promise_trials(one);
   std::vector<Tried> all(trials.size());
-  tbb::parallel_for(std::size_t{0}, trials.size(),
-                    [&](std::size_t i) { all[i] = tried(one, row, trials[i]); });
+  in_parallel(
+      static_cast<int>(trials.size()),
+      [&](int first, int end) {
+        for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(end); ++i)
+          all[i] = tried(one, row, trials[i]);
+      },
+      1);
   for (const Tried& trial : all) {
     for (std::size_t v = 0; v < contact_variants().size(); ++v) {
       row.trial_99[v] = std::max(row.trial_99[v], trial.error_99[v]);

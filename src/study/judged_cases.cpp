@@ -21,8 +21,7 @@ namespace fingerpad {
 namespace {
 
 constexpr double judged_ball_m = 0.007;
-/// Where a real part is at its worst in a region is a spot more often than not: of fewer strokes one alone
-/// would decide.
+/// Bad places of a real part are often small: with fewer strokes one alone would decide the 99 %.
 constexpr int part_trial_strokes = 96;
 /// Parts less wide are touched to their scale.
 constexpr double whole_scale_m = 0.02;

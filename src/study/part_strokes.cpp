@@ -44,9 +44,9 @@ bool is_free(const TriangleTree& tree, const Landing& landing, double height_m, 
 }
 
 /// Of the greatest force.
-double drawn_press(StrokePress press, bool is_other, RandomStream& random) {
+double drawn_press(StrokePress press, bool is_hard_turn, RandomStream& random) {
   constexpr double lightest = 0.1, hard = 1.0 / 3;
-  if (press == StrokePress::lightest || (press == StrokePress::mixed && !is_other)) return lightest;
+  if (press == StrokePress::lightest || (press == StrokePress::mixed && !is_hard_turn)) return lightest;
   return std::pow(press == StrokePress::hard ? hard : lightest, random.uniform());
 }
 

@@ -43,6 +43,7 @@ std::set<int> worst_regions(const Surface& surface, const Press& press) {
 
 std::vector<JudgedCase> promise_trials(const JudgedCase& one) {
   std::vector<JudgedCase> trials;
+  if (one.trial_strokes == 0) return trials;
   for (const Surface& surface : one.world->surfaces) {
     if (!surface.part) continue;
     const Press press{surface.properties.stiffness_n_per_m, one.scene.finger.radius_m,
@@ -55,9 +56,9 @@ std::vector<JudgedCase> promise_trials(const JudgedCase& one) {
     plan.down_m_per_s = down_m_per_s;
     plan.starts_low = true;
     for (const int region : regions) {
-      for (const StrokePress press : {StrokePress::lightest, StrokePress::hard}) {
+      for (const StrokePress how_hard : {StrokePress::lightest, StrokePress::hard}) {
         plan.region = region;
-        plan.press = press;
+        plan.press = how_hard;
         JudgedCase trial = one;
         trial.ways = strokes_over(surface, one.scene, plan);
         if (!trial.is_exact_all_over) trial.exact_force_n = {};

@@ -11,8 +11,8 @@ namespace {
 
 constexpr double nothing_is_kept = std::numeric_limits<double>::infinity();
 
-/// What is said instead of a tolerance leaves room for a reckoning that is right to a quarter: so far off was
-/// it at most where 35 real parts were tried (auto_judged.csv).
+/// What is said instead of a tolerance leaves room for what reckoning may be off by: of 35 real parts that
+/// were tried, by a quarter at most (auto_judged.csv).
 constexpr double reckoning_margin = 4.0 / 3;
 /// Beyond a third of the force reckoning says nothing, and an error of mu as large as mu is no tolerance.
 constexpr double most_force_kept = 1.0 / 3, most_mu_kept = 1;

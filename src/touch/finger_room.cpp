@@ -78,17 +78,17 @@ std::optional<RimPlace> rim_on_line(const World& world, const Vec3& from_W, cons
 namespace {
 
 /// Whether a ball gets from a place to another, straight on where it is free and else along what is in its
-/// way, ever nearer.
-bool slides_to(const World& world, Vec3 from_W, const Vec3& to_W, double radius_m, Looks& looks) noexcept {
-  constexpr int most_steps = 48, most_pushes = 6;
+/// way, ever nearer; or whether the looks do not tell.
+bool may_slide_to(const World& world, Vec3 from_W, const Vec3& to_W, double radius_m, Looks& looks) noexcept {
+  constexpr int most_pushes = 6;
   constexpr double hardly_share = 0.02, step_share = 0.3, there_share = 0.5;
   const double hardly_m = hardly_share * radius_m, touching_m = radius_m + hardly_m;
-  for (int i = 0; i < most_steps; ++i) {
+  while (looks.left() > 0) {
     Vec3 way_W = to_W - from_W;
     const double left_m = way_W.norm();
     if (left_m <= there_share * radius_m) return true;
     const NearestSurface nearest = nearest_surface(world, from_W, Normals::facet, radius_m + left_m, looks);
-    if (!nearest.is_sure || looks.left() <= 0) return true;  // nothing is known to be in its way
+    if (!nearest.is_sure) return true;  // nothing is known to be in its way
     const double free_m = nearest.clear_m - radius_m;
     if (free_m >= left_m) return true;
     const Vec3 out_W = (from_W - nearest.at.point_W).normalized();
@@ -97,8 +97,9 @@ bool slides_to(const World& world, Vec3 from_W, const Vec3& to_W, double radius_
     if (!(along_m > 0)) return false;
     Vec3 next_W = from_W + std::min(1.0, std::max(free_m, step_share * radius_m) / along_m) * way_W;
     bool is_clear = false;
-    for (int k = 0; k < most_pushes && !is_clear; ++k) {
+    for (int k = 0; k < most_pushes; ++k) {
       const NearestSurface by = nearest_surface(world, next_W, Normals::facet, 2 * radius_m, looks);
+      if (!by.is_sure) return true;
       is_clear = by.clear_m >= radius_m - hardly_m;
       if (is_clear) break;
       if (by.clear_m <= 0) return false;
@@ -125,7 +126,7 @@ std::optional<RimPlace> rim_before(const World& world, const Vec3& from_W, const
   const Stop stop = stop_on_line(world, spot_W, up_W, length_m + 2 * radius_m, radius_m, looks);
   if (!stop.is_stopped || (stop.by.at.point_W - spot_W).dot(normal_W) < over_share * radius_m)
     return std::nullopt;
-  if (slides_to(world, stop.place_W, place_W, radius_m, looks)) return std::nullopt;
+  if (may_slide_to(world, stop.place_W, place_W, radius_m, looks)) return std::nullopt;
   return RimPlace{stop.place_W, stop.by.surface};
 }
 

@@ -93,7 +93,7 @@ ChartPanel panel_over_time(std::string y_label, std::string short_y_label, std::
 
 ChartPanel speed_panel(const TouchSeries& series, const TouchLevels& levels) {
   const std::string name =
-      levels.speed_span_s > 0 ? fmt::format("speed, mean of {:.0f} ms", 1e3 * levels.speed_span_s) : "speed";
+      levels.speed_span_s > 0 ? fmt::format("speed over {:.0f} ms", 1e3 * levels.speed_span_s) : "speed";
   ChartPanel speed =
       panel_over_time("tangential speed [mm/s]", "speed [mm/s]",
                       {line(series, name, palette::blue, scaled(series.speed_m_per_s, 1e3))}, true);
@@ -177,14 +177,14 @@ TouchLevels touch_levels(const ViewInput& input) {
   levels.mu = mu_history(input);
   levels.thinned = input.every > 1;
   const bool has_encoder = input.scene && input.scene->hand && input.scene->hand->encoder_m > 0;
-  if (has_encoder) levels.speed_span_s = speed_span_s;
+  if (has_encoder) levels.speed_span_s = net_speed_span_s;
   if (input.scene) levels.v_min_m_per_s = v_min_m_per_s(input.scene->friction.settings);
   return levels;
 }
 
 Chart touch_chart(std::span<const TickRecord> rows, const Vec3& direction_W, const TouchLevels& levels) {
   TouchSeries series = touch_series(rows, direction_W);
-  if (levels.speed_span_s > 0) series.speed_m_per_s = mean_speed(rows, levels.speed_span_s);
+  if (levels.speed_span_s > 0) series.speed_m_per_s = net_speed(rows, levels.speed_span_s);
   if (levels.thinned) series.slip_ends.assign(series.slip_ends.size(), false);
   const std::vector<double> position_mm = scaled(series.position_m, 1e3);
   Chart chart = stacked_chart(series);
@@ -201,9 +201,7 @@ Chart touch_chart(std::span<const TickRecord> rows, const Vec3& direction_W, con
 
 Chart live_chart(std::span<const TickRecord> rows, const TouchLevels& levels) {
   TouchSeries series = touch_series(rows, Vec3::UnitX());
-  TouchLevels as_means = levels;
-  as_means.speed_span_s = speed_span_s;
-  series.speed_m_per_s = mean_speed(rows, speed_span_s);
+  series.speed_m_per_s = net_speed(rows, net_speed_span_s);
   Chart chart = stacked_chart(series);
   ChartPanel position =
       panel_over_time("finger [mm]", "",
@@ -217,8 +215,8 @@ Chart live_chart(std::span<const TickRecord> rows, const TouchLevels& levels) {
   }
   position.least_y_span = least_way_mm;
   chart.panels.push_back(std::move(position));
-  add_panels(chart, rows, series, as_means);
-  chart.panels[1].curves[0].name = fmt::format("in touch, mean of {:.0f} ms", 1e3 * speed_span_s);
+  add_panels(chart, rows, series, levels);
+  chart.panels[1].curves[0].name = fmt::format("in touch, over {:.0f} ms", 1e3 * net_speed_span_s);
   // The direction of a hand that goes anywhere wanders from frame to frame: magnitudes stay put.
   ChartCurve& friction = chart.panels[2].curves[1];
   friction.name = "friction";

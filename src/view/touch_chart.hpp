@@ -16,7 +16,8 @@ struct TouchLevels {
   std::vector<MuFrom> mu;    ///< steps where it was changed, or another surface is touched; empty: none
   double v_min_m_per_s = 0;  ///< 0: none
   bool thinned = false;
-  double speed_span_s = 0;  ///< over which speeds are means, so that an encoder's steps hide none; 0: a tick
+  double speed_span_s =
+      0;  ///< speeds are those over so long (net_speed), so that no encoder's steps show; 0: over a tick
 };
 
 /// Where the scene and its world are known.
@@ -31,10 +32,11 @@ Chart touch_chart(std::span<const TickRecord> rows, const Vec3& direction_W, con
 /// half the time without a graphics card.
 inline constexpr double live_chart_period_s = 0.12;
 
-/// What the means of speeds are of, where an encoder's steps would fill the panel [s].
-inline constexpr double speed_span_s = 0.02;
+/// Over how long speeds are told while a finger is live, and where an encoder's steps would fill the panel
+/// [s].
+inline constexpr double net_speed_span_s = 0.02;
 
-/// As touch_chart for a finger that goes anywhere: position as x, y and z, and speeds as means.
+/// As touch_chart for a finger that goes anywhere: position as x, y and z, and speeds as net_speed.
 Chart live_chart(std::span<const TickRecord> rows, const TouchLevels& levels);
 
 /// Power spectral density of tangential and normal force (paper, fig. 11). No panels if the rows are too few

@@ -112,7 +112,7 @@ double tangential_speed(const TickRecord& before, const TickRecord& row) {
   return tangential_step(before, row).norm() / dt_s;
 }
 
-std::vector<double> mean_speed(std::span<const TickRecord> rows, double span_s) {
+std::vector<double> net_speed(std::span<const TickRecord> rows, double span_s) {
   std::vector<double> speeds;
   speeds.reserve(rows.size());
   std::size_t first = 0;  // of the span

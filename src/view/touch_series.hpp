@@ -43,9 +43,10 @@ TouchSeries touch_series(std::span<const TickRecord> rows, const Vec3& direction
 /// of this one, as where the rows begin within a rest. 0 while free.
 std::vector<double> friction_along_sliding(std::span<const TickRecord> rows);
 
-/// At each row the tangential speed over the last `span_s` of its contact [m/s], which levels out the steps
-/// of an encoder; nan while free and on the first tick of a contact.
-std::vector<double> mean_speed(std::span<const TickRecord> rows, double span_s);
+/// At each row how fast the finger has got on over the last `span_s` of its contact [m/s]: the way from where
+/// it was then, straight on, which levels out the steps of an encoder (and what goes to and fro within the
+/// span); nan while free and on the first tick of a contact.
+std::vector<double> net_speed(std::span<const TickRecord> rows, double span_s);
 
 /// Tangential speed from one tick to the next [m/s]; nan unless both are in contact.
 double tangential_speed(const TickRecord& before, const TickRecord& row);

@@ -74,7 +74,6 @@ TEST(HandTarget, ComesDownOverTheNewSpotWhereItIsPressedInOneEvent) {
   }
 }
 
-// What steers it is made for a hand without dry friction, which eats up 1 N.
 // Its spring held it against the side that it was on, with up to half of the greatest force, for as long as
 // the button was held.
 TEST(HandTarget, GoesRoundAnEdgeThatThePointerHasJumpedRound) {
@@ -102,6 +101,31 @@ TEST(HandTarget, GoesRoundAnEdgeThatThePointerHasJumpedRound) {
   }
 }
 
+TEST(HandTarget, StaysOnTheFaceThatItIsDraggedOver) {
+  const Scene scene = test::plane_scene("finger-pad");
+  const auto world = test::world_of(test::box_soup({0.3, 0.3, 0.04}));
+  const double radius_m = scene.finger.radius_m, top_m = 0.02 + radius_m;
+  for (const double press_n : {0.5, 1.0, 3.0}) {
+    for (const double speed_m_per_s : {0.1, 0.4}) {
+      SCOPED_TRACE(testing::Message() << press_n << " N at " << speed_m_per_s << " m/s");
+      HandRun run(scene, world, HandSettings{}, {-0.1, 0, top_m + 0.03});
+      run.finger.set_target(aim({-0.1, 0, top_m}, {0, 0, -press_n}));
+      run.go(2);
+      ASSERT_GT(run.row.normal_force_n, 0.7 * press_n);
+      double x_m = -0.1;
+      int free_ticks = 0;
+      while (x_m < 0.1) {
+        x_m += speed_m_per_s * run.dt_s;
+        run.finger.set_target(aim({x_m, 0, top_m}, {0, 0, -press_n}));
+        run.go(run.dt_s);
+        free_ticks += run.row.walls == 0 ? 1 : 0;
+      }
+      EXPECT_EQ(free_ticks, 0);
+    }
+  }
+}
+
+// What steers it is made for a hand without dry friction, which eats up 1 N.
 TEST(HandTarget, HoversAndLandsAgainstDryFriction) {
   const Scene scene = test::plane_scene("none");
   const auto world = test::world_of(test::box_soup({0.1, 0.1, 0.04}));

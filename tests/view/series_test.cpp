@@ -80,7 +80,7 @@ TEST(MeanSpeed, LevelsOutTheStepsOfAnEncoder) {
     row.normal_W = Vec3::UnitZ();
     rows.push_back(row);
   }
-  const std::vector<double> speeds = mean_speed(rows, 0.02);
+  const std::vector<double> speeds = net_speed(rows, 0.02);
   ASSERT_EQ(speeds.size(), rows.size());
   for (std::size_t i = 0; i < 51; ++i) EXPECT_TRUE(std::isnan(speeds[i])) << i;
   // A step more or less in 20 ms.
@@ -89,7 +89,7 @@ TEST(MeanSpeed, LevelsOutTheStepsOfAnEncoder) {
   ViewInput input = torus_rub(0);
   input.scene->hand.emplace().encoder_m = encoder_m;
   const Chart chart = touch_chart(rows, Vec3::UnitX(), touch_levels(input));
-  EXPECT_EQ(chart.panels[1].curves[0].name, "speed, mean of 20 ms");
+  EXPECT_EQ(chart.panels[1].curves[0].name, "speed over 20 ms");
   EXPECT_NEAR(chart.panels[1].curves[0].y.back(), 20, 1.5);
 }
 

@@ -143,7 +143,7 @@ TEST(Readings, CallTheSpeedOfAFreeFingerThatOfOneInTheAir) {
   facts.row->phase = Phase::slip;
   EXPECT_TRUE(says("speed"));
   EXPECT_FALSE(says("speed in air"));
-  EXPECT_EQ(live_chart(std::vector<TickRecord>(3), {}).panels[1].curves[0].name, "in touch, mean of 20 ms");
+  EXPECT_EQ(live_chart(std::vector<TickRecord>(3), {}).panels[1].curves[0].name, "in touch, over 20 ms");
 }
 
 TEST(KeyTable, StandsInTheReadme) {
