@@ -83,6 +83,20 @@ TEST(OverlayHelp, SaysInItsHeadThatTheWindowIsTooSmall) {
   EXPECT_TRUE(has(200, 200, "too small: enlarge it"));
   EXPECT_FALSE(has(200, 200, "keys and mouse"));
   EXPECT_TRUE(has(1280, 800, "keys and mouse"));
+  // Elsewhere every line has room, but not all of its words.
+  std::vector<std::string> whole;
+  for (const std::string& line : help_lines(windows::touch | windows::led)) {
+    const std::size_t colon = line.find(": ");
+    whole.push_back(line.substr(0, colon));
+    if (colon != std::string::npos) whole.push_back(line.substr(colon + 2));
+  }
+  for (const int width : {200, 300, 400, 500, 640, 800, 1280}) {
+    for (const int height : {200, 300, 480, 600, 800}) {
+      std::vector<std::string> told;
+      for (const Words& of : help_page(width, height)) told.push_back(of.words);
+      EXPECT_EQ(has(width, height, "keys and mouse"), told == whole) << width << " x " << height;
+    }
+  }
 }
 
 }  // namespace

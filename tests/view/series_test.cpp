@@ -91,6 +91,8 @@ TEST(MeanSpeed, LevelsOutTheStepsOfAnEncoder) {
   const Chart chart = touch_chart(rows, Vec3::UnitX(), touch_levels(input));
   EXPECT_EQ(chart.panels[1].curves[0].name, "speed over 20 ms");
   EXPECT_NEAR(chart.panels[1].curves[0].y.back(), 20, 1.5);
+  const Chart live = live_chart(rows, TouchLevels{});
+  EXPECT_NEAR(live.panels[1].curves[0].y.back(), 20, 1.5) << "whether an encoder is known or not";
 }
 
 TEST(TouchSeries, NamesAWorldAxisAndKeepsItsCoordinate) {
