@@ -1,6 +1,5 @@
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "contact/looks.hpp"
@@ -15,12 +14,6 @@ namespace fingerpad {
 /// broken off is gone on with in the next tick.
 struct ServoLooks {
   static constexpr long most = 13500;
-  /// At a part that comes from memory, and not from a cache of some 16 MB that cores share, a look takes half
-  /// as long again. (TriangleTree tells of a core's own cache, which is smaller.)
-  static constexpr int cached_triangles = 200000;
-  static constexpr long most_from_memory = most * 2 / 3;
-  /// What a tick among these surfaces may cost: by the largest part.
-  static long most_among(std::span<const PlacedSurface> surfaces) noexcept;
   /// What looks for the closest point may cost besides, as long as no start has found a place.
   static constexpr long most_unplaced = most / 4;
 };

@@ -180,22 +180,6 @@ TEST(ProxyLooks, ABallInABoreOfItsOwnRadiusSlidesAlongItWithinItsLooks) {
   }
 }
 
-TEST(ProxyLooks, AreFewerWhereAPartComesFromMemory) {
-  const PlacedSurface small = surface_of(test::sphere_soup(0.05, 7)),
-                      large = surface_of(test::sphere_soup(0.05, 8)), plane = {};
-  EXPECT_EQ(ServoLooks::most_among(std::vector{small, plane}), ServoLooks::most);
-  EXPECT_EQ(ServoLooks::most_among(std::vector{small, large, plane}), ServoLooks::most_from_memory);
-  EXPECT_EQ(ServoLooks::most_among(std::vector{plane}), ServoLooks::most);
-  Proxy proxy = fast_proxy({large}, 0.02, Normals::smooth);
-  proxy.move(Vec3(0.08, 0.01, 0.02), 1e-3);
-  int broken_off = 0;
-  for (int k = 0; k < 40; ++k) {
-    broken_off += proxy.move(Vec3(0.06, 1e-3 * k, 0.02), 1e-3).broken_off ? 1 : 0;
-    ASSERT_LE(proxy.looks().spent(), ServoLooks::most_from_memory + most_beyond);
-  }
-  EXPECT_GT(broken_off, 0) << "it comes up against them";
-}
-
 TEST(ProxyLooks, AFingerThatLeavesAFanOfAHundredThousandSliversIsNotHeld) {
   constexpr int facets = 100000;
   TriangleSoup soup;
