@@ -117,16 +117,19 @@ std::optional<RimPlace> rim_before(const World& world, const Vec3& from_W, const
                                    const Vec3& normal_W, double radius_m, Looks& looks) noexcept {
   // Less than this over the spot is a part of its own surface; in coarse facets it goes so far in.
   constexpr double over_share = 0.5, room_share = 0.75;
+  // Where the spot has no room itself, in a corner that is not hidden, the ball is stopped so near to it.
+  constexpr double corner_share = 2.5;
   const Vec3 line_W = from_W - spot_W;
   const double length_m = line_W.norm();
   if (!(radius_m > 0) || !(length_m > 0)) return std::nullopt;
   const Vec3 up_W = line_W / length_m, place_W = spot_W + radius_m * normal_W;
-  if (nearest_surface(world, place_W, Normals::facet, radius_m, looks).clear_m < room_share * radius_m)
-    return std::nullopt;
+  const bool has_room =
+      nearest_surface(world, place_W, Normals::facet, radius_m, looks).clear_m >= room_share * radius_m;
   const Stop stop = stop_on_line(world, spot_W, up_W, length_m + 2 * radius_m, radius_m, looks);
   if (!stop.is_stopped || (stop.by.at.point_W - spot_W).dot(normal_W) < over_share * radius_m)
     return std::nullopt;
-  if (may_slide_to(world, stop.place_W, place_W, radius_m, looks)) return std::nullopt;
+  if (!has_room && (stop.place_W - spot_W).norm() < corner_share * radius_m) return std::nullopt;
+  if (has_room && may_slide_to(world, stop.place_W, place_W, radius_m, looks)) return std::nullopt;
   return RimPlace{stop.place_W, stop.by.surface};
 }
 

@@ -98,6 +98,27 @@ TEST(FingerRoom, AFingerRestsOnTheRimOfASlotWhoseFloorIsSeen) {
       << "not known";
 }
 
+// Beside a rib on the floor: it went where the ball has room, which was round and under the floor.
+TEST(FingerRoom, ARimStopsItTooWhereTheSpotThatIsSeenHasNoRoom) {
+  constexpr double radius_m = 0.007, floor_m = 0.04, rib_m = 0.01;
+  const World ribbed = *test::world_of(test::joined(
+      test::joined(test::moved(test::box_soup({0.1, 0.1, 0.005}), {0.054, 0, -0.0025}),
+                   test::moved(test::box_soup({0.1, 0.1, 0.005}), {-0.054, 0, -0.0025})),
+      test::joined(test::moved(test::box_soup({0.2, 0.2, 0.01}), {0, 0, -floor_m - 0.005}),
+                   test::moved(test::box_soup({0.01, 0.2, rib_m}), {0.008, 0, -floor_m + rib_m / 2}))));
+  const Vec3 spot_W(0.001, 0, -floor_m);
+  Looks looks(20000);
+  const auto rim = rim_before(ribbed, spot_W + Vec3(0, 0, 0.2), spot_W, Vec3::UnitZ(), radius_m, looks);
+  ASSERT_TRUE(rim);
+  EXPECT_GT(rim->centre_W.z(), 0) << "over the mouth";
+  // In a corner that is seen the ball is stopped by the corner itself.
+  const World corner = *test::world_of(
+      test::joined(test::moved(test::box_soup({0.2, 0.2, 0.01}), {0, 0, -floor_m - 0.005}),
+                   test::moved(test::box_soup({0.01, 0.2, 0.03}), {0.008, 0, -floor_m + 0.015})));
+  looks = Looks(20000);
+  EXPECT_FALSE(rim_before(corner, spot_W + Vec3(-0.1, 0, 0.1), spot_W, Vec3::UnitZ(), radius_m, looks));
+}
+
 // What is seen beside an edge is pointed at, and there is a way round the edge.
 TEST(FingerRoom, OneEdgeBeforeTheSpotHidesNothing) {
   constexpr double radius_m = 0.007;
