@@ -77,6 +77,7 @@ std::vector<FingerPath> strokes_over(const Surface& surface, const Scene& scene,
     const Vec3 n = surface.R_WP * landing.normal_P;
     const double depth_m = greatest_m * drawn_press(plan.press, strokes.size() % 2 != 0, random);
     std::vector<Vec3> ways_W;
+    ways_W.reserve(static_cast<std::size_t>(plan.legs));
     for (int leg = 0; leg < plan.legs; ++leg) ways_W.push_back(drawn_across(n, random));
     const double height_m =
         radius_m + (plan.starts_low ? plan.scale * low_m : radius_m + plan.scale * high_m);
