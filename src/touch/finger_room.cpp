@@ -79,14 +79,16 @@ namespace {
 
 /// Whether a ball gets from a place to another, straight on where it is free and else along what is in its
 /// way, ever nearer; or whether the looks do not tell.
-bool may_slide_to(const World& world, Vec3 from_W, const Vec3& to_W, double radius_m, Looks& looks) noexcept {
+/// @param there_m  as near as this it is there
+bool may_slide_to(const World& world, Vec3 from_W, const Vec3& to_W, double there_m, double radius_m,
+                  Looks& looks) noexcept {
   constexpr int most_pushes = 6;
-  constexpr double hardly_share = 0.02, step_share = 0.3, there_share = 0.5;
+  constexpr double hardly_share = 0.02, step_share = 0.3;
   const double hardly_m = hardly_share * radius_m, touching_m = radius_m + hardly_m;
   while (looks.left() > 0) {
     Vec3 way_W = to_W - from_W;
     const double left_m = way_W.norm();
-    if (left_m <= there_share * radius_m) return true;
+    if (left_m <= there_m) return true;
     const NearestSurface nearest = nearest_surface(world, from_W, Normals::facet, radius_m + left_m, looks);
     if (!nearest.is_sure) return true;  // nothing is known to be in its way
     const double free_m = nearest.clear_m - radius_m;
@@ -117,8 +119,9 @@ std::optional<RimPlace> rim_before(const World& world, const Vec3& from_W, const
                                    const Vec3& normal_W, double radius_m, Looks& looks) noexcept {
   // Less than this over the spot is a part of its own surface; in coarse facets it goes so far in.
   constexpr double over_share = 0.5, room_share = 0.75;
-  // Where the spot has no room itself, in a corner that is not hidden, the ball is stopped so near to it.
-  constexpr double corner_share = 2.5;
+  // How near to the spot the ball is there; where the spot has no room itself, in a corner, that is not so
+  // near.
+  constexpr double there_share = 0.5, corner_share = 2.5;
   const Vec3 line_W = from_W - spot_W;
   const double length_m = line_W.norm();
   if (!(radius_m > 0) || !(length_m > 0)) return std::nullopt;
@@ -128,8 +131,8 @@ std::optional<RimPlace> rim_before(const World& world, const Vec3& from_W, const
   const Stop stop = stop_on_line(world, spot_W, up_W, length_m + 2 * radius_m, radius_m, looks);
   if (!stop.is_stopped || (stop.by.at.point_W - spot_W).dot(normal_W) < over_share * radius_m)
     return std::nullopt;
-  if (!has_room && (stop.place_W - spot_W).norm() < corner_share * radius_m) return std::nullopt;
-  if (has_room && may_slide_to(world, stop.place_W, place_W, radius_m, looks)) return std::nullopt;
+  const double there_m = (has_room ? there_share : corner_share) * radius_m;
+  if (may_slide_to(world, stop.place_W, place_W, there_m, radius_m, looks)) return std::nullopt;
   return RimPlace{stop.place_W, stop.by.surface};
 }
 

@@ -42,8 +42,8 @@ std::optional<RimPlace> rim_on_line(const World& world, const Vec3& from_W, cons
 
 /// What stops a ball that comes down a line to a spot that is seen, before it is there: bars whose gaps it is
 /// too large for. None where nothing does, where the ball slides round it and on to the spot (past one edge,
-/// into a slot that is wide enough), where it is stopped near by a spot without room (in a corner), or where
-/// the looks do not suffice. noexcept, allocates nothing.
+/// into a slot that is wide enough; near by it where the spot itself has no room, in a corner), or where the
+/// looks do not suffice. noexcept, allocates nothing.
 /// @param from_W    the line's end, outside of all parts
 /// @param normal_W  at the spot, unit, on the side that is seen
 std::optional<RimPlace> rim_before(const World& world, const Vec3& from_W, const Vec3& spot_W,
