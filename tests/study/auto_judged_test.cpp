@@ -21,8 +21,9 @@ const int one_case_of = judges_all ? 1 : 10;
 
 /// What became of auto's word, over many cases.
 struct Judgement {
-  bool compares_costs = false;          ///< with what else would have kept the tolerance
-  int trial_strokes = 6, tried_of = 1;  ///< of so many cases one is tried beyond its own motion
+  bool compares_costs = false;  ///< with what else would have kept the tolerance
+  int trial_strokes = 6;        ///< 0: its own motion alone judges
+  int tried_of = 1;             ///< of so many cases one is tried beyond its own motion
   int cases = 0;
   std::vector<JudgedRow> rows = {};
 
@@ -82,7 +83,7 @@ TEST(AutoJudged, KeepsItsWordOnRealParts) {
   const auto data = test::real_data();
   if (!data) GTEST_SKIP() << "no real parts here";
   // Of few strokes one that stays on a bad spot would decide; `study contact --parts` tries them all.
-  Judgement all{.trial_strokes = 32, .tried_of = 5};
+  Judgement all{.trial_strokes = judges_all ? 32 : 0, .tried_of = 5};
   for (const auto& part : test::real_parts())
     take_part_cases(part.string(), 6, [&](const JudgedCase& one) { all.take(one); });
   EXPECT_GT(all.cases, 0);
