@@ -168,7 +168,7 @@ TEST(HandFinger, PressesNoHarderThanTheScenesGreatest) {
       }
     }
   }
-  EXPECT_GT(pressed, 2 * walk_count) << "of " << 4 * walk_count;
+  EXPECT_GE(pressed, 2 * walk_count) << "half of them end where a finger can press";
 }
 
 TEST(HandFinger, SaysWhichHandItTakesWhereTheSceneHasNone) {
