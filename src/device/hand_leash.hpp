@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "base/types.hpp"
+#include "device/pointer_limits.hpp"
 
 namespace fingerpad {
 
@@ -25,18 +26,17 @@ class HandLeash {
   /// A tick of the press.
   /// @param off_m  how far the hand is from the place
   bool holds(const Vec3& place_W, double off_m, double dt_s) noexcept {
-    constexpr double patience_s = 0.2, gain = 0.02;
     delay_s_ += dt_s;
     // As far as the place goes away, it need not have come nearer.
     nearest_m_ += (place_W - last_place_W_).norm();
     last_place_W_ = place_W;
-    if (off_m < near_m_ || off_m < (1 - gain) * nearest_m_) {
+    if (off_m < near_m_ || off_m < (1 - pointer_limits::leash_gain) * nearest_m_) {
       nearest_m_ = off_m;
       delay_s_ = 0;
     }
     // Landed as near as could be, it stays until the pointer goes on.
     if (off_m < near_m_ || (place_W - landed_for_W_).norm() < near_m_) return true;
-    return delay_s_ < patience_s;
+    return delay_s_ < pointer_limits::leash_s;
   }
 
  private:

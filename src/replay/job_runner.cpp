@@ -105,14 +105,8 @@ void JobRunner::run_one(std::size_t index) {
   if (options_.on_ticks) options_.on_ticks(batch_job, 0);
   try {
     if (!job.error.empty()) throw Error(ErrorKind::refused, "", job.error);
-    JobOutput output{path,
-                     options_.format,
-                     options_.choice,
-                     options_.version,
-                     options_.resume,
-                     {},
-                     {},
-                     std::filesystem::path(trace_name(job, options_.format)).stem().string()};
+    JobOutput output{path, options_.format, options_.choice, options_.version, options_.resume, {}, {}, {}};
+    output.name = std::filesystem::path(trace_name(job, options_.format)).stem().string();
     output.on_begin = [&] {
       has_begun = true;
       if (is_lone_scene(jobs_)) keep_other_summary(jobs_, options_);

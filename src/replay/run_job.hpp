@@ -25,8 +25,8 @@ struct JobOutput {
   bool resume = false;             ///< keep a complete trace of the very same run instead of making it again
   std::function<void()> on_begin;  ///< it has begun: the folder may change; may be empty
   std::function<void(double share_done)> on_ticks;  ///< told now and then, 0 .. 1; may be empty
-  std::string
-      name;  ///< of the job among those of its scene, in warnings of its own figures; empty: the scene's
+  /// Of the job among those of its scene, in warnings of its own figures; empty: the scene's.
+  std::string name;
 };
 
 /// What a run came to.

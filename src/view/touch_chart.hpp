@@ -16,8 +16,8 @@ struct TouchLevels {
   std::vector<MuFrom> mu;    ///< steps where it was changed, or another surface is touched; empty: none
   double v_min_m_per_s = 0;  ///< 0: none
   bool thinned = false;
-  double speed_span_s =
-      0;  ///< speeds are those over so long (net_speed), so that no encoder's steps show; 0: over a tick
+  /// Speeds are those over so long (net_speed), so that no encoder's steps show; 0: over a tick.
+  double speed_span_s = 0;
 };
 
 /// Where the scene and its world are known.

@@ -129,14 +129,15 @@ TEST(HandFinger, LandsSoftlyBelowALedge) {
   EXPECT_NEAR(at_rest_n, press_n, 0.2 * press_n) << "and in time";
 }
 
-/// What a pointer on its way did to a hand of defaults over a shipped scene.
+/// What a pointer on its way did to a hand of defaults over a shipped scene. In the end it rests for long
+/// enough that a hand that was led round an edge flies and lands.
 test::PointerRun walk(const std::string& name, std::uint64_t seed, double press_n) {
   Scene scene = read_scene_file((test::source_dir() / "scenes" / (name + ".toml")).string()).scene;
   scene.hand.reset();
   const test::PointedWorld pointed(name, scene, load_world(scene));
   test::PointerWalk walk(pointed, seed, press_n);
   HandFinger finger({scene, pointed.world, walk.start(), {}, HandSettings{}}, 1 / scene.motion.rate_hz);
-  return walk.run(finger, 1.2, 1.2);
+  return walk.run(finger, 1.2, press_n > 0 ? 3 : 1.2);
 }
 
 const int walk_count = test::sanitized() ? 3 : 12;
@@ -168,7 +169,7 @@ TEST(HandFinger, PressesNoHarderThanTheScenesGreatest) {
       }
     }
   }
-  EXPECT_GE(pressed, 2 * walk_count) << "half of them end where a finger can press";
+  EXPECT_GT(pressed, 2 * walk_count) << "of " << 4 * walk_count;
 }
 
 TEST(HandFinger, SaysWhichHandItTakesWhereTheSceneHasNone) {

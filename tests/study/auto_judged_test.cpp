@@ -22,16 +22,14 @@ const int one_case_of = judges_all ? 1 : 10;
 /// What became of auto's word, over many cases.
 struct Judgement {
   bool compares_costs = false;  ///< with what else would have kept the tolerance
-  int trial_strokes = 6;        ///< 0: its own motion alone judges
-  int tried_of = 1;             ///< of so many cases one is tried beyond its own motion
+  int trial_strokes = 6;        ///< with each press in a region
   int cases = 0;
   std::vector<JudgedRow> rows = {};
 
   void take(const JudgedCase& one) {
-    const int number = cases++;
-    if (number % one_case_of != 0) return;
+    if (cases++ % one_case_of != 0) return;
     JudgedCase brief = one;
-    brief.trial_strokes = number % tried_of == 0 ? trial_strokes : 0;
+    brief.trial_strokes = trial_strokes;
     brief.judges_all_variants = compares_costs;
     const JudgedRow row = judged(brief, 1);
     const JudgedWord word = row.word();
@@ -82,8 +80,8 @@ TEST(AutoJudged, KeepsItsWordOnTheScenes) {
 TEST(AutoJudged, KeepsItsWordOnRealParts) {
   const auto data = test::real_data();
   if (!data) GTEST_SKIP() << "no real parts here";
-  // Of few strokes one that stays on a bad spot would decide; `study contact --parts` tries them all.
-  Judgement all{.trial_strokes = judges_all ? 32 : 0, .tried_of = 5};
+  // Of few strokes one that stays on a bad spot would decide.
+  Judgement all{.trial_strokes = judges_all ? 48 : 6};
   for (const auto& part : test::real_parts())
     take_part_cases(part.string(), 6, [&](const JudgedCase& one) { all.take(one); });
   EXPECT_GT(all.cases, 0);

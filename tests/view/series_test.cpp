@@ -68,7 +68,7 @@ TEST(ShownSpeed, IsTheFingersOwnInTheAirAndTangentialInContact) {
 }
 
 // From tick to tick an encoder of 30 um makes 0 or 30 mm/s of 20 mm/s.
-TEST(MeanSpeed, LevelsOutTheStepsOfAnEncoder) {
+TEST(NetSpeed, LevelsOutTheStepsOfAnEncoder) {
   constexpr double speed_m_per_s = 0.02, encoder_m = 3e-5;
   std::vector<TickRecord> rows;
   for (int i = 0; i < 300; ++i) {
