@@ -3,13 +3,23 @@
 #include <tbb/parallel_for.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
+#include <span>
 
 namespace fingerpad {
 namespace {
 
-constexpr int most_triangles = 64;
+constexpr std::size_t most_triangles = 64;
+/// Of the area of the largest facet that is half of a flat polygon: a facet with less does not count beside
+/// it, as one of a fillet beside a wall; from so much on it counts.
+constexpr double narrow = 0.25, wide = 0.5;
+/// Facets whose normals differ by less are of one plane, by more of two [rad]: float32 files tell them to
+/// some 1e-5.
+constexpr double one_plane_rad = 1e-4, two_planes_rad = 1e-3;
 
 /// A corner on the way around a vertex, and the edge at which its triangle will be left.
 struct Step {
@@ -38,32 +48,75 @@ double rough_angle(double y, double x) noexcept {
   return y <= x ? angle : std::numbers::pi / 2 - angle;
 }
 
-/// The facet's normal times its angle at the corner times its area, up to a factor common to all.
-Vec3 weighted_normal(const Part& part, int t, int corner) noexcept {
+double risen(double from, double to, double x) noexcept {
+  const double s = std::clamp((x - from) / (to - from), 0.0, 1.0);
+  return s * s * (3 - 2 * s);
+}
+
+/// 1 where a neighbour lies in the facet's plane, as the other half of a quad does, 0 where none does.
+double shares_plane(const Part& part, int t) noexcept {
+  double nearest_rad = two_planes_rad;
+  for (int k = 0; k < 3; ++k) {
+    const int other = part.neighbours(k, t);
+    if (other < 0) continue;
+    nearest_rad = std::min(nearest_rad, (part.facet_normals.col(t) - part.facet_normals.col(other)).norm());
+  }
+  return risen(two_planes_rad, one_plane_rad, nearest_rad);
+}
+
+/// A facet at a vertex: its angle there and its area, each up to a factor common to all, and the area that
+/// others are held against.
+struct FanFacet {
+  Vec3 normal;
+  double angle = 0, area = 0, area_of_face = 0;
+};
+
+FanFacet fan_facet(const Part& part, int t, int corner) noexcept {
   const Vec3 p = part.vertices.col(part.triangles(corner, t));
   const Vec3 a = part.vertices.col(part.triangles((corner + 1) % 3, t)) - p;
   const Vec3 b = part.vertices.col(part.triangles((corner + 2) % 3, t)) - p;
   const double doubled_area = a.cross(b).norm();
-  if (!(doubled_area > 0)) return Vec3::Zero();
+  if (!(doubled_area > 0)) return {Vec3::Zero()};
   const double half_angle =
       rough_angle(doubled_area, std::sqrt(a.squaredNorm() * b.squaredNorm()) + a.dot(b));
-  return half_angle * doubled_area * part.facet_normals.col(t);
+  return {part.facet_normals.col(t), half_angle, doubled_area, doubled_area * shares_plane(part, t)};
+}
+
+/// The smooth fan around a corner.
+struct Fan {
+  std::array<FanFacet, most_triangles> facets;
+  std::size_t count = 0;
+
+  std::span<const FanFacet> all() const noexcept { return std::span(facets).first(count); }
+};
+
+/// False where it has too many.
+bool gather(const Part& part, int t, int corner, Fan& fan) noexcept {
+  fan.facets[fan.count++] = fan_facet(part, t, corner);
+  for (const int edge : {corner, (corner + 2) % 3}) {
+    Step step = crossed(part, {t, corner, edge});
+    while (step.triangle >= 0 && step.triangle != t) {
+      if (fan.count == fan.facets.size()) return false;
+      fan.facets[fan.count++] = fan_facet(part, step.triangle, step.corner);
+      step = crossed(part, step);
+    }
+    if (step.triangle == t) break;
+  }
+  return true;
 }
 
 }  // namespace
 
 Vec3 curved_corner_normal(const Part& part, int t, int corner) noexcept {
   Vec3 otherwise = part.corner_normals.col(Eigen::Index{3} * t + corner);
-  Vec3 sum = weighted_normal(part, t, corner);
-  int count = 1;
-  for (const int edge : {corner, (corner + 2) % 3}) {
-    Step step = crossed(part, {t, corner, edge});
-    while (step.triangle >= 0 && step.triangle != t) {
-      if (++count > most_triangles) return otherwise;
-      sum += weighted_normal(part, step.triangle, step.corner);
-      step = crossed(part, step);
-    }
-    if (step.triangle == t) break;
+  Fan fan;
+  if (!gather(part, t, corner, fan)) return otherwise;
+  double face = 0;
+  for (const FanFacet& facet : fan.all()) face = std::max(face, facet.area_of_face);
+  Vec3 sum = Vec3::Zero();
+  for (const FanFacet& facet : fan.all()) {
+    const double counts = face > 0 ? risen(narrow, wide, facet.area / face) : 1;
+    sum += counts * facet.angle * facet.area * facet.normal;
   }
   const double length = sum.norm();
   Vec3 normal = sum / length;

@@ -36,6 +36,39 @@ inline TriangleSoup filleted_bar(int facets, int rows) {
   return soup;
 }
 
+/// A cylinder's wall of radius 2 from z = -8 to z = 8 in one row of strips, and the quarter rounds of radius
+/// 1 that lead to its ends, which are open.
+/// @param around  strips of the wall
+/// @param facets  of each round
+inline TriangleSoup rounded_drum(int around, int facets) {
+  std::vector<Vec2> profile;  // radius and height, upwards
+  for (int i = 0; i <= facets; ++i) {
+    const double angle = M_PI / 2 * (1 - static_cast<double>(i) / facets);
+    profile.emplace_back(1 + std::cos(angle), -8 - std::sin(angle));
+  }
+  for (int i = facets; i >= 0; --i) {
+    const Vec2 below = profile[static_cast<std::size_t>(i)];
+    profile.emplace_back(below.x(), -below.y());
+  }
+  const int rows = static_cast<int>(profile.size());
+  TriangleSoup soup;
+  soup.vertices_P.resize(3, Eigen::Index{rows} * around);
+  soup.triangles.resize(3, Eigen::Index{2} * (rows - 1) * around);
+  Eigen::Index next = 0;
+  for (int j = 0; j < rows; ++j) {
+    const Vec2 at = profile[static_cast<std::size_t>(j)];
+    for (int i = 0; i < around; ++i) {
+      const double angle = 2 * M_PI * i / around;
+      const int a = j * around + i, b = j * around + (i + 1) % around;
+      soup.vertices_P.col(a) << at.x() * std::cos(angle), at.x() * std::sin(angle), at.y();
+      if (j + 1 == rows) continue;
+      soup.triangles.col(next++) << a, b, b + around;
+      soup.triangles.col(next++) << a, b + around, a + around;
+    }
+  }
+  return soup;
+}
+
 /// A closed cylinder of radius 1 from z = -1 to z = 1, its rims sharp; the ends are fans about their middles.
 inline TriangleSoup drum(int facets) {
   TriangleSoup soup;
