@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <vector>
 
@@ -12,7 +13,7 @@
 namespace fingerpad {
 namespace {
 
-constexpr int force_steps = 6;  ///< from the least to the greatest force
+constexpr double last_force = ReckonedError::forces - 1;
 constexpr double whole_force = 2;
 constexpr double keeps_up = ProxyLimits::rounds_per_finger;
 /// Of all places: a region of fewer is not judged.
@@ -26,9 +27,14 @@ struct Centre {
   double height_m() const noexcept { return radius_m - depth_m; }
 };
 
+/// By how much of a turn a foot that nothing holds is aside of where it were without that turn. 1 + u > 0
+double free_foot_turn(double u) noexcept {
+  return std::abs(u) / (1 + u);
+}
+
 /// By how much of a facet's turn the normal at the foot on it is off that at the foot on the surface.
-double foot_turn(double u) noexcept {
-  return u >= 0 ? u / (1 + u) : std::min(1.0, -u);
+double foot_turn(double u, bool is_inside, bool lags) noexcept {
+  return u >= 0 || (lags && is_inside) ? free_foot_turn(u) : std::min(1.0, -u);
 }
 
 double facet_turn(double u, bool is_inside, bool lags) noexcept {
@@ -73,11 +79,11 @@ double tilt_rad(const Way& way, const SurfacePlace& place, const Centre& centre)
     return whole_force;
   double off = 0;
   if (way.touches_patches)
-    off = place.patch_rad;
+    off = place.patch_rad * (u >= 0 ? 1 : 1 / (1 + u));
   else if (way.shows_facets)
     off = place.facet_rad * facet_turn(u, centre.height_m() < 0, way.lags);
   else
-    off = way.off_rad(place) + place.facet_rad * foot_turn(u);
+    off = way.off_rad(place) + place.facet_rad * foot_turn(u, centre.height_m() < 0, way.lags);
   return std::min(off * hollow_factor(way, place.curvature_per_m, centre), whole_force);
 }
 
@@ -148,6 +154,10 @@ ReckonedError error_in(std::span<const SurfacePlace> region, const Press& press,
 void take_worse(ReckonedError& worst, const ReckonedError& other) noexcept {
   worst.force_share = std::max(worst.force_share, other.force_share);
   worst.mean_tilt_rad = std::max(worst.mean_tilt_rad, other.mean_tilt_rad);
+  for (std::size_t k = 0; k < ReckonedError::forces; ++k) {
+    worst.force_shares[k] = std::max(worst.force_shares[k], other.force_shares[k]);
+    worst.mean_tilts_rad[k] = std::max(worst.mean_tilts_rad[k], other.mean_tilts_rad[k]);
+  }
   if (!(other.behind_share > worst.behind_share)) return;
   worst.behind_share = other.behind_share;
   worst.behind_m = other.behind_m;
@@ -167,10 +177,12 @@ std::vector<RegionError> region_errors(std::span<const SurfacePlace> places, con
                        [&](const SurfacePlace& place) { return place.region != first->region; });
     if (end - first < fewest) continue;
     RegionError worst{first->region, {}};
-    for (int step = 0; step <= force_steps; ++step) {
-      const double force_n = press.least_force_n() * std::pow(10.0, static_cast<double>(step) / force_steps);
+    for (std::size_t k = 0; k < ReckonedError::forces; ++k) {
+      const double force_n = press.least_force_n() * std::pow(10.0, static_cast<double>(k) / last_force);
       ReckonedError here = error_in({first, end}, press, way, force_n, scratch);
-      if (step < force_steps) here.mean_tilt_rad = 0;
+      here.force_shares[k] = here.force_share;
+      here.mean_tilts_rad[k] = here.mean_tilt_rad;
+      if (k + 1 < ReckonedError::forces) here.mean_tilt_rad = 0;
       take_worse(worst.error, here);
     }
     errors.push_back(worst);

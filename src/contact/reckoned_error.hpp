@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -23,9 +24,12 @@ struct Press {
 /// How far a way to touch is off the smooth surface that a part's facets stand for, by reckoning: where the
 /// part is at its worst, since a finger may stay there.
 struct ReckonedError {
+  static constexpr std::size_t forces = 7;  ///< from the least to the greatest, each so many times the last
   double force_share = 0;    ///< of the force, or of Press::least_force_n, on 99 % of the finger's way in a
                              ///< region (SurfacePlace), at the force at which that is the largest
   double mean_tilt_rad = 0;  ///< of the force's direction, over a region's places, under the greatest force
+  /// The same two under each force, in the region that is the worst for it.
+  std::array<double, forces> force_shares{}, mean_tilts_rad{};
   /// Of the force: by how much the proxy falls behind where the finger goes round a quarter of a rounding
   /// faster than a proxy may follow, on more than a hundredth of the way in a region; and the rounding.
   double behind_share = 0, behind_m = 0;
@@ -45,7 +49,8 @@ struct RegionError {
 ///                     shown at another: the finger's foot on the facet, whose normal is turned by t, lies
 ///                     off that on the surface by h t, where the surface is turned by t |u| (u < 0, the
 ///                     finger's centre on the side of the centre of curvature; at most t) or t u / (1 + u):
-///                     beyond, edges of the facets hold the foot. So: F (off + t |u|).
+///                     beyond, edges of the facets hold the foot. So: F (off + t |u|). Inside a rounding
+///                     they do not hold a proxy's: t |u| / (1 + u).
 ///                     Facets' own normals know no foot: they are off by t, less where the finger rolls over
 ///                     the edges between them (t / (1 + u), u > 0), and more under a proxy inside a rounding,
 ///                     which leaves a facet when the finger is past what lies straight under it:
@@ -66,7 +71,8 @@ struct RegionError {
 ///
 /// A method that touches the patches themselves has no foot on facets. A patch whose own normals are turned
 /// off the shown ones by s is no more certain than that: s across, and along the force the height that a
-/// slope of s makes over the facet's width.
+/// slope of s makes over the facet's width. Inside a rounding s turns the foot on the patch too, as above by
+/// s |u| / (1 + u): s / (1 + u) in all.
 ///
 /// Held against exact surfaces (study contact: contact_accuracy.csv, auto_judged.csv) the first is right to a
 /// tenth; the last, a bound's estimate, is between a third and four times the error.

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <filesystem>
 #include <limits>
 
@@ -105,6 +107,18 @@ double ContactPair::tolerances(std::span<const ContactCase> cases, std::size_t i
 double ContactPair::tolerances(std::span<const ContactCase> cases) const {
   double most = 0;
   for (std::size_t i = 0; i < cases.size(); ++i) most = std::max(most, tolerances(cases, i));
+  return most;
+}
+
+double ContactPair::misses(std::span<const ContactCase> cases) const {
+  double most = 1;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    double product = 1;
+    for (std::size_t k = 0; k < ReckonedError::forces; ++k)
+      product *= std::max({1.0, errors[i].force_shares[k] / cases[i].contact.force_tolerance,
+                           errors[i].mean_tilts_rad[k] / cases[i].mean_tilt_rad});
+    most = std::max(most, std::pow(product, 1.0 / static_cast<double>(ReckonedError::forces)));
+  }
   return most;
 }
 

@@ -16,7 +16,7 @@ constexpr double nothing_is_kept = std::numeric_limits<double>::infinity();
 constexpr double reckoning_margin = 4.0 / 3;
 /// Beyond a third of the force reckoning says nothing, and an error of mu as large as mu is no tolerance.
 constexpr double most_force_kept = 1.0 / 3, most_mu_kept = 1;
-/// Where nothing keeps the tolerance, what costs less may be off by so much more than the best.
+/// Where nothing keeps the tolerance, what costs less may miss it by so much more than the best.
 constexpr double nearly_best = 1.2;
 
 /// @param pairs  the most complete method's last
@@ -27,14 +27,20 @@ std::size_t best_of(const std::vector<ContactPair>& pairs, std::span<const Conta
   const auto may_be_taken = [&](const ContactPair& pair) {
     return any_holds ? pair.holds() : pair.method == pairs.back().method;
   };
-  double least = std::numeric_limits<double>::infinity();
+  // Where none keeps them, light presses count as much as hard ones: under the hardest all may be off by the
+  // whole force, and anything would do.
+  double least = nothing_is_kept, least_missed = nothing_is_kept;
   for (const ContactPair& pair : pairs) {
-    if (may_be_taken(pair)) least = std::min(least, pair.tolerances(cases));
+    if (!may_be_taken(pair)) continue;
+    least = std::min(least, pair.tolerances(cases));
+    least_missed = std::min(least_missed, pair.misses(cases));
   }
-  const double allowed = least <= 1 ? 1 : nearly_best * least;
+  const auto is_good = [&](const ContactPair& pair) {
+    return least <= 1 ? pair.tolerances(cases) <= 1 : pair.misses(cases) <= nearly_best * least_missed;
+  };
   std::size_t best = pairs.size();
   for (std::size_t k = 0; k < pairs.size(); ++k) {
-    if (!may_be_taken(pairs[k]) || pairs[k].tolerances(cases) > allowed) continue;
+    if (!may_be_taken(pairs[k]) || !is_good(pairs[k])) continue;
     if (best == pairs.size() || pairs[k].cost < pairs[best].cost) best = k;
   }
   return best;

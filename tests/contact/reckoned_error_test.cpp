@@ -46,10 +46,33 @@ TEST(ReckonedError, OfNormalsIsTheirTiltAndThatOfTheFoot) {
   EXPECT_NEAR(share(place, press, "closest-point", Normals::facet), 0.04, 1e-12) << "whatever the depth";
   EXPECT_NEAR(share(place, press, "proxy", Normals::facet), 0.04 / 0.8, 1e-12) << "it leaves the facet late";
   EXPECT_NEAR(share(place, press, "closest-point", Normals::smooth), 0.01 + 0.2 * 0.04, 1e-12);
-  EXPECT_NEAR(share(place, press, "proxy", Normals::curved), 0.2 * 0.04, 1e-12);
+  EXPECT_NEAR(share(place, press, "proxy", Normals::curved), 0.2 / 0.8 * 0.04, 1e-12)
+      << "inside a rounding no edge of a facet holds a proxy's foot";
   // A ball of 12 mm: its centre is 11 mm over the surface at 1 N, u = 0.22.
   const Press ball{1000, 0.012, 10};
   EXPECT_NEAR(share(place, ball, "proxy", Normals::curved), 0.04 * 0.22 / 1.22, 1e-12);
+}
+
+TEST(ReckonedError, OfAPatchIsWhatItsOwnNormalTurnsTheFootBy) {
+  SurfacePlace place;
+  place.patch_rad = 0.01;
+  EXPECT_NEAR(share(place, press, "closest-point", Normals::curved), 0.01, 1e-12);
+  place.curvature_per_m = 80;  // a rounding of 12.5 mm; 10 mm deep the foot turns by four times as much
+  EXPECT_NEAR(share(place, press, "closest-point", Normals::curved), 0.05, 1e-12);
+}
+
+TEST(ReckonedError, IsToldUnderEachForce) {
+  SurfacePlace light, deep;
+  light.sag_m = 5e-5;
+  light.region = 1;
+  deep.facet_rad = 0.03;
+  deep.region = 2;
+  std::vector<SurfacePlace> places(100, light);
+  places.insert(places.end(), 100, deep);
+  const ReckonedError error = reckoned_error(places, press, method("closest-point"), Normals::facet);
+  EXPECT_NEAR(error.force_shares.front(), 0.05, 1e-12) << "1 N, where the facets cut in";
+  EXPECT_NEAR(error.force_shares.back(), 0.03, 1e-12) << "10 N, where they are turned";
+  EXPECT_NEAR(error.mean_tilts_rad.back(), 0.03, 1e-12);
 }
 
 TEST(ReckonedError, OfFacetsUnderAProxyDeepInARoundingIsTheWholeForce) {

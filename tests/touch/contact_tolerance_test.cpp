@@ -99,6 +99,14 @@ TEST(ContactTolerance, FacetsThatCutTooDeepForALightTouchGetCurvedNormals) {
   EXPECT_EQ(choice.limits[0].kept_tolerance, 0.03);
 }
 
+TEST(ContactTolerance, WhereNothingKeepsItLightPressesCountAsMuchAsHardOnes) {
+  // 10 N take the point to the middle of a ball of 10.1 mm, where any normals are off by the whole force; 1 N
+  // is felt by smooth ones to 3 %, by facets to 10.
+  Scene scene;
+  scene.contact.method = "proxy";
+  EXPECT_EQ(normals_for(scene, test::sphere_soup(0.0101, 3)), Normals::smooth);
+}
+
 TEST(ContactTolerance, SaysWhatTheMeshCannotKeepAndWhatItCan) {
   const auto surfaces = surfaces_of(test::sphere_soup(0.05, 4));
   Scene scene;
