@@ -6,77 +6,11 @@
 
 #include "contact/contact_cost.hpp"
 #include "part/in_parallel.hpp"
+#include "study/judged_errors.hpp"
 #include "study/promise_trial.hpp"
 
 namespace fingerpad {
 namespace {
-
-/// Facets that cut in, and patches that stand out, leave the greatest force no exact border.
-constexpr double about_greatest = 1.03;
-
-/// What of a case the promise speaks of: of ticks those until which, since the finger was last free, the true
-/// force has not been beyond the greatest, nor the finger so deep in a rounding that it slips round (what a
-/// proxy has been pressed through stays with it); of ways those of such ticks alone.
-struct Promised {
-  std::vector<bool> ticks, ways;
-};
-
-Promised promised_of(const JudgedCase& one, const JudgedReference& reference) {
-  const double most_n = about_greatest * one.scene.contact.greatest_force_n;
-  Promised promised;
-  promised.ticks.reserve(reference.force_W_n.size());
-  for (const FingerPath& way : one.ways) {
-    bool was_over = false, is_whole = true;
-    for (long k = 0; k < way.tick_count(); ++k) {
-      const double force_n = reference.force_W_n[promised.ticks.size()].norm();
-      const bool is_over = force_n > most_n || reference.slips[promised.ticks.size()];
-      was_over = is_over || (was_over && force_n > 0);
-      is_whole = is_whole && !was_over;
-      promised.ticks.push_back(!was_over);
-    }
-    promised.ways.push_back(is_whole);
-  }
-  return promised;
-}
-
-/// Of the larger of the true force and least_n.
-double error_share(const Vec3& found_n, const Vec3& true_n, double least_n) {
-  return (found_n - true_n).norm() / std::max(true_n.norm(), least_n);
-}
-
-/// On the ways that the promise speaks of, and on which the force is anywhere off by half: else what was
-/// crossed unfelt is a facet that stands out over the surface.
-long pop_throughs_in(const JudgedCase& one, const JudgedRun& run, const JudgedReference& reference,
-                     const Promised& promised) {
-  long sum = 0;
-  std::size_t k = 0;
-  for (std::size_t way = 0; way < one.ways.size(); ++way) {
-    double worst = 0;
-    for (const std::size_t end = k + static_cast<std::size_t>(one.ways[way].tick_count()); k < end; ++k)
-      worst = std::max(worst, error_share(run.force_W_n[k], reference.force_W_n[k],
-                                          one.scene.contact.greatest_force_n / 10));
-    if (promised.ways[way] && worst > 0.5) sum += run.pop_throughs[way];
-  }
-  return sum;
-}
-
-/// Over the ticks on which either is felt; sorted.
-std::vector<double> error_shares(const std::vector<Vec3>& found_n, const std::vector<Vec3>& true_n,
-                                 const Promised& promised, double least_n) {
-  std::vector<double> shares;
-  for (std::size_t k = 0; k < true_n.size(); ++k) {
-    const double force_n = true_n[k].norm();
-    if (!promised.ticks[k] || (force_n == 0 && found_n[k].squaredNorm() == 0)) continue;
-    shares.push_back(error_share(found_n[k], true_n[k], least_n));
-  }
-  std::sort(shares.begin(), shares.end());
-  return shares;
-}
-
-double quantile_99(const std::vector<double>& sorted) {
-  if (sorted.empty()) return 0;
-  return sorted[static_cast<std::size_t>(std::ceil(0.99 * static_cast<double>(sorted.size()))) - 1];
-}
 
 constexpr double not_judged = std::numeric_limits<double>::infinity();
 
@@ -84,44 +18,57 @@ bool is_judged(const JudgedCase& one, const JudgedRow& row, std::size_t variant)
   return one.judges_all_variants || variant == row.chosen || variant + 1 == contact_variants().size();
 }
 
-/// What came of a trial, by variant.
-struct Tried {
-  std::vector<double> error_99;
-  std::vector<long> pop_throughs;
+/// A trial of the promise, and what is true there.
+struct Trial {
+  JudgedCase on;
+  JudgedReference reference;
+  Promised promised;
 };
 
-Tried tried(const JudgedCase& one, const JudgedRow& row, const JudgedCase& trial) {
-  const JudgedReference reference = judged_reference(trial);
-  const Promised promised = promised_of(trial, reference);
-  const std::size_t count = contact_variants().size();
-  Tried found{std::vector<double>(count, not_judged), std::vector<long>(count, 0)};
-  for (std::size_t v = 0; v < count; ++v) {
-    if (!is_judged(one, row, v)) continue;
-    const JudgedRun run = judged_run(trial, contact_variants()[v], 1);
-    found.error_99[v] = quantile_99(
-        error_shares(run.force_W_n, reference.force_W_n, promised, one.scene.contact.greatest_force_n / 10));
-    found.pop_throughs[v] = pop_throughs_in(trial, run, reference, promised);
-  }
-  return found;
-}
-
-/// The worst of the promise's trials, by variant. On all threads: nothing is timed here.
-void try_promise(const JudgedCase& one, JudgedRow& row) {
-  for (std::size_t v = 0; v < contact_variants().size(); ++v)
-    row.trial_99.push_back(is_judged(one, row, v) ? 0 : not_judged);
-  const std::vector<JudgedCase> trials = promise_trials(one);
-  std::vector<Tried> all(trials.size());
+/// On all threads: nothing is timed in trials.
+template <typename Work>
+void for_each_at_once(std::size_t count, const Work& work) {
   in_parallel(
-      static_cast<int>(trials.size()),
+      static_cast<int>(count),
       [&](int first, int end) {
-        for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(end); ++i)
-          all[i] = tried(one, row, trials[i]);
+        for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(end); ++i) work(i);
       },
       1);
-  for (const Tried& trial : all) {
-    for (std::size_t v = 0; v < contact_variants().size(); ++v) {
-      row.trial_99[v] = std::max(row.trial_99[v], trial.error_99[v]);
-      row.pop_throughs[v] += trial.pop_throughs[v];
+}
+
+std::vector<Trial> trials_of(const JudgedCase& one) {
+  std::vector<JudgedCase> cases = promise_trials(one);
+  std::vector<Trial> trials(cases.size());
+  for_each_at_once(trials.size(), [&](std::size_t i) {
+    trials[i].on = std::move(cases[i]);
+    trials[i].reference = judged_reference(trials[i].on);
+    trials[i].promised = promised_of(trials[i].on, trials[i].reference);
+  });
+  return trials;
+}
+
+/// So many trials are made before it is asked whether others are needed: the same on any number of threads.
+constexpr std::size_t trials_at_a_time = 8;
+
+/// Fills in the worst of the promise's trials, by variant.
+void try_promise(const JudgedCase& one, JudgedRow& row) {
+  const std::vector<Trial> trials = trials_of(one);
+  for (std::size_t v = 0; v < contact_variants().size(); ++v) {
+    double& worst = row.trial_99.emplace_back(is_judged(one, row, v) ? 0 : not_judged);
+    const bool asks_for_all = v == row.chosen || v + 1 == contact_variants().size();
+    for (std::size_t first = 0; worst < not_judged && first < trials.size(); first += trials_at_a_time) {
+      const bool fails = std::max(worst, row.error_99[v]) > row.tolerance;
+      if (first > 0 && fails && !asks_for_all) break;
+      std::vector<JudgedErrors> some(std::min(trials_at_a_time, trials.size() - first));
+      for_each_at_once(some.size(), [&](std::size_t i) {
+        const Trial& trial = trials[first + i];
+        some[i] = judged_errors(trial.on, judged_run(trial.on, contact_variants()[v], 1), trial.reference,
+                                trial.promised);
+      });
+      for (const JudgedErrors& trial : some) {
+        worst = std::max(worst, trial.share_99);
+        row.pop_throughs[v] += trial.pop_throughs;
+      }
     }
   }
 }
@@ -230,12 +177,11 @@ JudgedRow judged(const JudgedCase& one, int turns) {
       continue;
     }
     const JudgedRun run = judged_run(one, variant, turns);
-    const std::vector<double> shares =
-        error_shares(run.force_W_n, reference.force_W_n, promised, one.scene.contact.greatest_force_n / 10);
-    row.ticks = static_cast<long>(shares.size());
-    row.error_99.push_back(quantile_99(shares));
+    const JudgedErrors errors = judged_errors(one, run, reference, promised);
+    row.ticks = errors.ticks;
+    row.error_99.push_back(errors.share_99);
     row.tick_ns.push_back(run.tick_ns);
-    row.pop_throughs.push_back(pop_throughs_in(one, run, reference, promised));
+    row.pop_throughs.push_back(errors.pop_throughs);
   }
   try_promise(one, row);
   return row;

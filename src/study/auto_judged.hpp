@@ -26,7 +26,8 @@ struct JudgedRow {
   bool is_exact = false;                  ///< whether the surface is known
   std::size_t chosen = 0;                 ///< of contact_variants()
   std::vector<double> error_99, tick_ns;  ///< by variant: on 99 % of the motion's ticks no larger than this
-  std::vector<double> trial_99;           ///< by variant: the largest such error of the promise's trials
+  std::vector<double> trial_99;           ///< by variant: the largest such error of the promise's trials; of
+                                          ///< those not chosen no more is tried once it is above tolerance
   std::vector<double> cost;               ///< by variant, as the committed table has it
   std::vector<long> pop_throughs;         ///< by variant, in the motion and the trials; the last, the most
                                    ///< complete, tells how many are the ways': a finger that is dragged

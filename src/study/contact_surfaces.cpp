@@ -162,6 +162,43 @@ ExactSurface knob() {
   return surface;
 }
 
+constexpr double rounding_m = 0.005;
+
+/// Half the block's sizes, less its roundings [m].
+Vec3 block_inner_m() {
+  return {0.015, 0.01, 0.005};
+}
+
+ExactFoot block_foot(const Vec3& p) {
+  const Vec3 beyond = p.cwiseAbs() - block_inner_m();
+  const Vec3 out = beyond.cwiseMax(0);
+  const auto with_signs = [&p](const Vec3& v) -> Vec3 {
+    return {std::copysign(v.x(), p.x()), std::copysign(v.y(), p.y()), std::copysign(v.z(), p.z())};
+  };
+  const double length_m = out.norm();
+  if (length_m > 0) return {length_m - rounding_m, with_signs(out / length_m)};
+  Eigen::Index nearest = 0;
+  const double inside_m = beyond.maxCoeff(&nearest);
+  return {inside_m - rounding_m, with_signs(Vec3::Unit(nearest))};
+}
+
+ExactSurface block() {
+  ExactSurface surface{"block", "of 40, 30 and 20 mm, rounded by 5 mm", {6, 12}, {}, {}, {}, {}};
+  surface.mesh = [](int steps) { return rounded_block_mesh(block_inner_m(), rounding_m, steps); };
+  surface.facet_m = [](int steps) { return rounding_m * whole_turn / 4 / steps; };
+  surface.foot = block_foot;
+  // Round about it, over its top, its sides and its corners.
+  surface.way = [](double along) {
+    const double around = 0.3 + 7.3 * along, up = 0.9 * std::sin(1.3 + 5 * along);
+    const Vec3 out(std::cos(up) * std::cos(around), std::cos(up) * std::sin(around), std::sin(up));
+    const Vec3 over = 0.04 * out;
+    const ExactFoot at = block_foot(over);
+    return Vec3(over - at.signed_distance_m * at.normal);
+  };
+  surface.deepest_m = 0.8 * rounding_m;
+  return surface;
+}
+
 }  // namespace
 
 std::vector<ExactSurface> exact_surfaces() {
@@ -169,7 +206,7 @@ std::vector<ExactSurface> exact_surfaces() {
 }
 
 std::vector<ExactSurface> small_exact_surfaces() {
-  return {hollow(), knob()};
+  return {hollow(), knob(), block()};
 }
 
 }  // namespace fingerpad

@@ -33,9 +33,9 @@ struct ExactSurface {
 /// rims are rounded by quarter circles, as CAD fillets are.
 std::vector<ExactSurface> exact_surfaces();
 
-/// Where a part's places differ: a spherical hollow of 8.5 mm in a box, which a ball of 7 mm just fits, and
-/// a knob, a three-hundredth of the surface of a plate 0.3 m wide that is flat but for it. Their ways stay in
-/// the hollow and on the knob.
+/// Where a part's places differ: a spherical hollow of 8.5 mm in a box, which a ball of 7 mm just fits; a
+/// knob, a three-hundredth of the surface of a plate 0.3 m wide that is flat but for it; a block whose flat
+/// sides are two triangles each, and its roundings many. Their ways stay in the hollow and on the knob.
 std::vector<ExactSurface> small_exact_surfaces();
 
 }  // namespace fingerpad

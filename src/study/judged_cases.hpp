@@ -55,6 +55,7 @@ enum class StrokePress {
              ///< facets that cut in count the most; the others with that to the greatest
   lightest,  ///< with a tenth
   hard,      ///< with a third of the greatest to the greatest
+  greatest,  ///< with that
 };
 
 /// Which strokes, and how many.

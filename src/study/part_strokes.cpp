@@ -47,7 +47,8 @@ bool is_free(const TriangleTree& tree, const Landing& landing, double height_m, 
 double drawn_press(StrokePress press, bool is_hard_turn, RandomStream& random) {
   constexpr double lightest = 0.1, hard = 1.0 / 3;
   if (press == StrokePress::lightest || (press == StrokePress::mixed && !is_hard_turn)) return lightest;
-  return std::pow(press == StrokePress::hard ? hard : lightest, random.uniform());
+  const double drawn = std::pow(press == StrokePress::hard ? hard : lightest, random.uniform());
+  return press == StrokePress::greatest ? 1 : drawn;
 }
 
 /// A direction across n, unit.

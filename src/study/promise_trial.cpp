@@ -56,7 +56,7 @@ std::vector<JudgedCase> promise_trials(const JudgedCase& one) {
     plan.down_m_per_s = down_m_per_s;
     plan.starts_low = true;
     for (const int region : regions) {
-      for (const StrokePress how_hard : {StrokePress::lightest, StrokePress::hard}) {
+      for (const StrokePress how_hard : {StrokePress::lightest, StrokePress::hard, StrokePress::greatest}) {
         plan.region = region;
         plan.press = how_hard;
         JudgedCase trial = one;

@@ -10,8 +10,9 @@ namespace fingerpad {
 ///
 /// `auto` chooses by the part, not by a motion, and promises for every way that stays in a region of it, up
 /// to the greatest force. So a case's parts are touched by strokes in those regions in which reckoning has
-/// each method with each kind of normals at its worst, and all over; lightly and hard. Each entry is such a
-/// case, of the ways in one region with one press, to be judged by itself: a finger may stay there.
+/// each method with each kind of normals at its worst, and all over; lightly, hard, and as hard as may be.
+/// Each entry is such a case, of the ways in one region with one press, to be judged by itself: a finger may
+/// stay there.
 std::vector<JudgedCase> promise_trials(const JudgedCase& one);
 
 }  // namespace fingerpad

@@ -1,5 +1,6 @@
 #include "study/shape_meshes.hpp"
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -8,7 +9,7 @@
 namespace fingerpad {
 namespace {
 
-constexpr double whole_turn = 2 * std::numbers::pi;
+constexpr double full_turn = 2 * std::numbers::pi, quarter_turn = full_turn / 4;
 
 TriangleSoup soup_of(const std::vector<Vec3>& vertices, const std::vector<Eigen::Vector3i>& triangles) {
   TriangleSoup soup;
@@ -28,8 +29,7 @@ TriangleSoup torus_mesh(double ring_m, double tube_m, int around, int across) {
   std::vector<Eigen::Vector3i> triangles;
   for (int i = 0; i < around; ++i) {
     for (int j = 0; j < across; ++j) {
-      const double u = whole_turn * i / around, v = whole_turn * j / across,
-                   r = ring_m + tube_m * std::cos(v);
+      const double u = full_turn * i / around, v = full_turn * j / across, r = ring_m + tube_m * std::cos(v);
       vertices.emplace_back(r * std::cos(u), r * std::sin(u), tube_m * std::sin(v));
       const int a = i * across + j, b = (i + 1) % around * across + j;
       const int c = (i + 1) % around * across + (j + 1) % across, d = i * across + (j + 1) % across;
@@ -58,8 +58,8 @@ TriangleSoup revolved_mesh(const std::vector<Vec2>& profile, int around, double 
   const int rings = static_cast<int>(profile.size());
   for (const Vec2& at : profile) {
     for (int k = 0; k < around; ++k)
-      vertices.emplace_back(at.x() * std::cos(whole_turn * k / around),
-                            at.x() * std::sin(whole_turn * k / around), at.y());
+      vertices.emplace_back(at.x() * std::cos(full_turn * k / around),
+                            at.x() * std::sin(full_turn * k / around), at.y());
   }
   vertices.emplace_back(0, 0, top_m);
   vertices.emplace_back(0, 0, bottom_m);
@@ -128,6 +128,48 @@ TriangleSoup hollow_ball_mesh(double thickness_m) {
   const TriangleSoup outer = ball_mesh(outer_m, 5);
   TriangleSoup soup = hollowed(outer, ball_mesh(outer_m - thickness_m, 5));
   soup.vertices_P.row(2).array() -= outer_m;
+  return soup;
+}
+
+TriangleSoup rounded_block_mesh(const Vec3& inner_half_m, double rounding_m, int steps) {
+  // A globe whose lines of longitude stand twice where quarters meet, and whose equator does, drawn apart.
+  const int around = 4 * (steps + 1), up = 2 * (steps + 1);
+  TriangleSoup soup;
+  soup.vertices_P.resize(3, Eigen::Index{around} * up);
+  for (int j = 0; j < up; ++j) {
+    const bool is_north = j > steps;
+    const double latitude = quarter_turn * (static_cast<double>(is_north ? j - 1 : j) / steps - 1);
+    for (int i = 0; i < around; ++i) {
+      const int quarter = i / (steps + 1);
+      const double longitude = quarter_turn * (quarter + static_cast<double>(i % (steps + 1)) / steps);
+      const Vec3 middle((quarter == 0 || quarter == 3 ? 1 : -1) * inner_half_m.x(),
+                        (quarter < 2 ? 1 : -1) * inner_half_m.y(), (is_north ? 1 : -1) * inner_half_m.z());
+      soup.vertices_P.col(Eigen::Index{j} * around + i) =
+          middle + rounding_m * Vec3(std::cos(latitude) * std::cos(longitude),
+                                     std::cos(latitude) * std::sin(longitude), std::sin(latitude));
+    }
+  }
+  std::vector<Eigen::Vector3i> triangles;
+  const auto add = [&](int a, int b, int c) {
+    const auto at = [&](int k) -> Vec3 { return soup.vertices_P.col(k); };
+    // At the poles a quarter's vertices are one.
+    if ((at(b) - at(a)).cross(at(c) - at(a)).norm() > 1e-12) triangles.emplace_back(a, b, c);
+  };
+  for (int j = 0; j + 1 < up; ++j) {
+    for (int i = 0; i < around; ++i) {
+      const int a = j * around + i, b = j * around + (i + 1) % around;
+      add(a, b, b + around);
+      add(a, b + around, a + around);
+    }
+  }
+  const int top = (up - 1) * around, quarter = steps + 1;
+  add(top, top + quarter, top + 2 * quarter);
+  add(top, top + 2 * quarter, top + 3 * quarter);
+  add(0, 2 * quarter, quarter);
+  add(0, 3 * quarter, 2 * quarter);
+  soup.triangles.resize(3, static_cast<Eigen::Index>(triangles.size()));
+  for (std::size_t k = 0; k < triangles.size(); ++k)
+    soup.triangles.col(static_cast<Eigen::Index>(k)) = triangles[k];
   return soup;
 }
 

@@ -19,6 +19,11 @@ TriangleSoup torus_mesh(double ring_m, double tube_m, int around, int across);
 /// @param profile  radius and height of each ring, from the top to the bottom
 TriangleSoup revolved_mesh(const std::vector<Vec2>& profile, int around, double top_m, double bottom_m);
 
+/// A block about the origin, its edges and corners rounded in `steps` facets a quarter turn; its flat sides,
+/// which a CAD tessellation leaves whole, are of two triangles each.
+/// @param inner_half_m  half its sizes, less the rounding
+TriangleSoup rounded_block_mesh(const Vec3& inner_half_m, double rounding_m, int steps);
+
 /// A mesh with a hollow: `inner` turned inside out.
 TriangleSoup hollowed(const TriangleSoup& outer, const TriangleSoup& inner);
 
