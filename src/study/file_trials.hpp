@@ -12,6 +12,12 @@ using FileTrials = std::span<const RecordedTrial>;
 
 /// The normal force of the samples that press, on the median; below 0 where a plate would pull.
 double pressing_n(const RecordedTrial& trial);
+/// Forces along the plate's normal.
+Eigen::RowVectorXd along_normal_n(const RecordedTrial& trial);
+/// Whether a force along the normal is more than twenty times their noise.
+bool stands_out(const RecordedTrial& trial, double along_normal_n);
+/// Whether the press does: else nothing pressed.
+bool presses(const RecordedTrial& trial);
 /// How far positions reach along the axis on which they reach farthest.
 double extent_m(const RecordedTrial& trial);
 double largest_force_n(const RecordedTrial& trial);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/error.hpp"
 #include "base/number_text.hpp"
@@ -13,9 +14,32 @@
 namespace fingerpad {
 namespace {
 
-/// A trial's positions and forces of the same moments, where force lags position by a delay.
+/// Forces of the samples that press with half of what their trial does or more, from those in the air; the
+/// others are no numbers: in the air there is no friction, but the sensor's offset on a finger that moves.
+Points pressed_force_W(const RecordedTrial& trial) {
+  constexpr double pressed = 0.5, in_air = 0.25;  // of the trial's press
+  constexpr Eigen::Index fewest_in_air = 20;
+  const double press_n = pressing_n(trial), none = std::numeric_limits<double>::quiet_NaN();
+  if (!(press_n > 0) || !presses(trial)) return Points::Constant(3, trial.samples(), none);
+  const Eigen::RowVectorXd along_n = along_normal_n(trial);
+  Vec3 air_W = Vec3::Zero();
+  Eigen::Index in_air_count = 0;
+  for (Eigen::Index i = 0; i < along_n.size(); ++i) {
+    if (!(along_n[i] < in_air * press_n)) continue;
+    air_W += trial.force_W.col(i);
+    ++in_air_count;
+  }
+  const Vec3 offset_W =
+      in_air_count < fewest_in_air ? Vec3::Zero() : Vec3(air_W / static_cast<double>(in_air_count));
+  Points forces_W = trial.force_W.colwise() - offset_W;
+  for (Eigen::Index i = 0; i < along_n.size(); ++i)
+    if (!(along_n[i] >= pressed * press_n)) forces_W.col(i).setConstant(none);
+  return forces_W;
+}
+
+/// A trial's positions and pressing forces of the same moments, where force lags position by a delay.
 struct SameMoments {
-  Eigen::Ref<const Points> position_W, force_W;
+  Points position_W, force_W;
 };
 
 SameMoments same_moments(const RecordedTrial& trial, double delay_s) {
@@ -23,7 +47,7 @@ SameMoments same_moments(const RecordedTrial& trial, double delay_s) {
                      lag = std::clamp<Eigen::Index>(std::lround(delay_s * trial.rate_hz), -most, most),
                      count = n - std::abs(lag);
   return {finger_W(trial).middleCols(std::max<Eigen::Index>(-lag, 0), count),
-          trial.force_W.middleCols(std::max<Eigen::Index>(lag, 0), count)};
+          pressed_force_W(trial).middleCols(std::max<Eigen::Index>(lag, 0), count)};
 }
 
 /// No turn of a sensor puts right what one axis has of a mirror.

@@ -140,6 +140,28 @@ TEST(MeasurementDoubts, AMirroredAxisIsNamed) {
               AllOf(HasSubstr("along x alone"), HasSubstr("turn that column's sign")));
 }
 
+TEST(MeasurementDoubts, AFingerInTheAirUnderASensorsOffsetIsNotMirrored) {
+  // It comes down along both axes, forwards, at the trial's end: the offset does work along y.
+  const auto mostly_airborne = [](RecordedTrial& trial, Eigen::Index pressed) {
+    const Eigen::Index n = trial.samples();
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const double along_m = 1e-4 * static_cast<double>(i);
+      trial.position_W.col(i) = Vec3(along_m, along_m, i < n - pressed ? 1e-3 : -1e-3);
+      const double noise_n = i % 2 == 0 ? 1e-3 : -1e-3;
+      trial.force_W.col(i) = Vec3(-0.08, 0.25, -0.03 + noise_n);
+      if (i >= n - pressed) trial.force_W.col(i) += Vec3(-0.15, -0.15, 1);
+    }
+  };
+  for (const Eigen::Index pressed : {0, 200})
+    EXPECT_THAT(asked([&](RecordedTrial& trial) { mostly_airborne(trial, pressed); }),
+                testing::Not(HasSubstr("mirrored")));
+  EXPECT_THAT(asked([&](RecordedTrial& trial) {
+                mostly_airborne(trial, 200);
+                trial.force_W.row(1) = (0.5 - trial.force_W.row(1).array()).matrix();
+              }),
+              HasSubstr("mirrored"));
+}
+
 /// What is warned of a file of four trials, one of which was changed so.
 template <typename Change>
 std::vector<std::string> warned_of_one(const Change& change) {
