@@ -40,17 +40,25 @@ std::string thinned_words(const ViewInput& input) {
 std::string subtitle_of(const ViewInput& input, const Vec3& direction_W, const char* tail) {
   std::string words;
   if (input.scene) {
-    words = fmt::format("{}, {} ticks a second", input.scene->friction.law,
+    words = fmt::format("law {}, {} ticks a second", input.scene->friction.law,
                         static_cast<long>(std::lround(input.scene->motion.rate_hz)));
   }
   if (const std::string thinned = thinned_words(input); !thinned.empty())
     words += fmt::format("{}{}{}", words.empty() ? "" : ", ", thinned, tail);
   const double largest = direction_W.cwiseAbs().maxCoeff();
   if (largest < 0.99996192) {
-    words += fmt::format("{}s along ({}, {}, {})", words.empty() ? "" : "; ", fixed_text(direction_W.x(), 2),
-                         fixed_text(direction_W.y(), 2), fixed_text(direction_W.z(), 2));
+    words += fmt::format("{}s is the way along ({}, {}, {})", words.empty() ? "" : "; ",
+                         fixed_text(direction_W.x(), 2), fixed_text(direction_W.y(), 2),
+                         fixed_text(direction_W.z(), 2));
   }
   return words;
+}
+
+/// Where several walls held the finger at once.
+std::string walls_words(const ViewInput& input) {
+  const bool any =
+      std::any_of(input.rows.begin(), input.rows.end(), [](const TickRecord& row) { return row.walls > 1; });
+  return any ? "where several walls hold the finger, forces are the sum over them" : "";
 }
 
 /// @returns where the page below its title begins
@@ -84,6 +92,7 @@ std::string folding_words(const Chart& spectrum) {
 std::vector<std::string> history_subtitles(const ViewInput& input, const Vec3& direction_W, Over over,
                                            const Chart& spectrum) {
   std::vector<std::string> subtitles = {subtitle_of(input, direction_W, ": no rings where slip ended")};
+  if (std::string walls = walls_words(input); !walls.empty()) subtitles.push_back(std::move(walls));
   if (input.every <= 1) return subtitles;
   if (over != Over::time) subtitles.emplace_back(shortened_words(over));
   if (!spectrum.panels.empty() && !spectrum.panels[0].curves.empty())
