@@ -94,8 +94,9 @@ CheckedMesh checked(const std::string& path, ImportOptions how) {
   mesh.wall_m = told_wall_m(*mesh.imported.part, measures);
   if (measures.overlap_count > 0)
     mesh.imported.verdict.warnings.push_back(fmt::format(
-        "overlapping: on {} of {} ways through its walls another sheet comes first: bodies lie in "
-        "each other, or the surface passes through itself",
+        "overlapping: at {} of {} places looked at, another body, or the same surface, begins inside the "
+        "wall. "
+        "It can be touched, from outside as one solid; join its bodies in CAD where that is not meant",
         measures.overlap_count, measures.ray_count));
   return mesh;
 }

@@ -53,6 +53,8 @@ int tell_keys(const std::vector<std::string>& asked) {
       names.emplace_back(key.key->key);
       names.push_back(key.name.substr(0, key.name.find('.')));  // its table
     }
+    std::sort(names.begin(), names.end());
+    names.erase(std::unique(names.begin(), names.end()), names.end());
     const std::string mend = word == "set" ? ": [[set]] takes any of the keys that `fingerpad keys` lists"
                                            : near_miss_hint(word, names);
     throw Error(ErrorKind::usage, "", fmt::format("a scene has no key '{}'{}", word, mend));

@@ -5,6 +5,8 @@
 #include <clocale>
 #include <span>
 #include <sstream>
+#include <string_view>
+#include <vector>
 
 #include "app/commands.hpp"
 #include "app/help_format.hpp"
@@ -53,8 +55,8 @@ std::string unknown_subcommand(const CLI::App& program, int argc, char** argv) {
                      fingerpad::near_miss_hint(*word, names), fingerpad::word_list(names));
 }
 
-/// "there is no option '--colums'; did you mean '--columns'?", or nothing where the subcommand knows them
-/// all.
+/// "there is no option '--colums'; did you mean '--columns'?", or which there are; nothing where the
+/// subcommand knows them all.
 std::string unknown_option(const CLI::App& program, int argc, char** argv) {
   if (program.get_subcommands().empty()) return {};
   const CLI::App& command = *program.get_subcommands().front();
@@ -66,8 +68,10 @@ std::string unknown_option(const CLI::App& program, int argc, char** argv) {
     if (word == "--") break;  // what follows is no option
     const std::string name(word.substr(0, word.find('=')));
     if (!name.starts_with("--") || std::find(names.begin(), names.end(), name) != names.end()) continue;
+    const std::string hint = fingerpad::near_miss_hint(name, names);
+    const std::string there = fmt::format("; {} has {}", command.get_name(), fingerpad::word_list(names));
     return fmt::format("there is no option '{}'{}", fingerpad::printable(name, 60),
-                       fingerpad::near_miss_hint(name, names));
+                       hint.empty() ? there : hint);
   }
   return {};
 }
@@ -118,6 +122,16 @@ int run(int argc, char** argv) {
   return action();
 }
 
+/// What `help view` asks for: `view --help`.
+std::vector<char*> with_help_as_option(std::span<char*> arguments) {
+  static char help[] = "--help";
+  std::vector<char*> words(arguments.begin(), arguments.end());
+  if (words.size() < 2 || std::string_view(words[1]) != "help") return words;
+  words.erase(words.begin() + 1);
+  words.push_back(help);
+  return words;
+}
+
 /// run(), with whatever it throws told.
 int told_run(int argc, char** argv) {
   try {
@@ -136,5 +150,6 @@ int told_run(int argc, char** argv) {
 int main(int argc, char** argv) {
   fingerpad::guard_standard_streams();
   std::setlocale(LC_ALL, "C");  // decimal points, whatever the desktop speaks
-  return fingerpad::close_standard_streams(told_run(argc, argv));
+  std::vector<char*> words = with_help_as_option({argv, static_cast<std::size_t>(argc)});
+  return fingerpad::close_standard_streams(told_run(static_cast<int>(words.size()), words.data()));
 }

@@ -8,6 +8,8 @@
 #include <cstring>
 #include <filesystem>
 
+#include "base/near_file.hpp"
+
 namespace fingerpad {
 namespace {
 
@@ -31,7 +33,11 @@ std::string missing_words(const fs::path& path, const char* what) {
     return fmt::format("is a link to {}, which is not there", fs::read_symlink(path, ignored).string());
   }
   const fs::path folder = path.parent_path();
-  if (folder.empty() || fs::exists(folder, ignored)) return fmt::format("there is no such {}", what);
+  if (folder.empty() || fs::exists(folder, ignored)) {
+    const fs::path near = path.has_extension() ? near_file(path) : fs::path();
+    return fmt::format("there is no such {}{}", what,
+                       near.empty() ? "" : fmt::format("; did you mean {}?", near.string()));
+  }
   const fs::path there = nearest_there(folder);
   return fmt::format("there is no such {}: its folder {} is not there{}", what, folder.string(),
                      there.empty() ? "" : fmt::format(" (only {} is)", there.string()));

@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "base/input_file.hpp"
+#include "base/near_file.hpp"
 #include "base/unit.hpp"
 #include "scene/pad_profile_file.hpp"
 #include "scene/scene_reader.hpp"
@@ -103,17 +104,7 @@ bool is_missing(const std::string& path) {
 std::string near_scene_file(const fs::path& path) {
   const fs::path ended = fs::path(path).concat(".toml");
   std::error_code ignored;
-  if (fs::exists(ended, ignored)) return ended.string();
-  constexpr std::size_t most_names = 10000;  // of a folder: more are not looked through for a hint
-  std::vector<std::string> names;
-  const fs::path folder = path.parent_path();
-  fs::directory_iterator at(folder.empty() ? "." : folder, ignored);
-  for (; at != fs::directory_iterator() && names.size() < most_names; at.increment(ignored)) {
-    if (at->path().extension() == ".toml") names.push_back(at->path().stem().string());
-  }
-  std::sort(names.begin(), names.end());  // of two that are equally near, the same one everywhere
-  const std::string near = nearest_word(path.stem().string(), names);
-  return near.empty() ? "" : (folder / (near + ".toml")).string();
+  return (fs::exists(ended, ignored) ? ended : near_file(fs::path(path).replace_extension(".toml"))).string();
 }
 
 constexpr const char* what_a_scene_is =
@@ -151,7 +142,8 @@ SceneFile read_scene_file(const std::string& path) {
     const bool missing = is_missing(path);
     if (!missing && !stream_descriptor(path) && fs::path(path).extension() != ".toml")
       throw Error(error.kind(), "", fmt::format("{}; {}", error.what(), what_a_scene_is));
-    const std::string near = missing ? near_scene_file(path) : "";
+    // With its ending right, the error has said so.
+    const std::string near = missing && fs::path(path).extension() != ".toml" ? near_scene_file(path) : "";
     if (near.empty()) throw;
     throw Error(error.kind(), "", fmt::format("{}; did you mean {}?", error.what(), near));
   }

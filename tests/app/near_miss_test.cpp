@@ -81,6 +81,37 @@ TEST(NearMiss, OfAnOptionIsNamedBeforeWhatIsMissingForIt) {
   EXPECT_THAT(missing.err, HasSubstr("--out is required")) << "nothing is spelled wrong";
 }
 
+TEST(NearMiss, OfAnOptionThatIsLikeNoneTellsWhichThereAre) {
+  const auto result = test::fingerpad("merge a b --threads 2", test::scratch_dir());
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, HasSubstr("there is no option '--threads'; merge has --help, --out"));
+}
+
+TEST(NearMiss, OfAKeyWithoutItsUnitIsTold) {
+  const auto result = test::fingerpad("keys stifness", test::scratch_dir());
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, HasSubstr("a scene has no key 'stifness'; did you mean 'stiffness_n_per_m'?"));
+}
+
+TEST(NearMiss, OfAFileThatASceneNamesIsToldFromItsFolder) {
+  const fs::path folder = test::scratch_dir();
+  fs::create_directory(folder / "meshes");
+  test::write_file(folder / "meshes", "bracket.stl", "solid part\nendsolid part\n");
+  test::write_file(folder / "meshes", "brackett.obj", "");
+  test::write_file(folder, "s.toml", "[[part]]\nmesh = \"meshes/brackt.stl\"\n");
+  const auto result = test::fingerpad("replay s.toml --out o", folder);
+  EXPECT_THAT(result.err, HasSubstr("there is no such file; did you mean"));
+  EXPECT_THAT(result.err, HasSubstr("meshes/bracket.stl?"));
+}
+
+TEST(NearMiss, HelpIsAlsoASubcommand) {
+  for (const char* name : {"", " merge"}) {
+    const auto asked = test::fingerpad("help" + std::string(name), test::scratch_dir());
+    EXPECT_EQ(asked.exit_code, 0);
+    EXPECT_EQ(asked.out, test::fingerpad(std::string(name) + " --help", test::scratch_dir()).out);
+  }
+}
+
 TEST(NearMiss, InABatchFailsItsJobAlone) {
   const auto result =
       test::fingerpad("replay scenes/bracket.toml scenes/swep.toml --out o", folder_with_scenes());
