@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "app/commands.hpp"
+#include "app/number_option.hpp"
 #include "app/output_folder.hpp"
 #include "app/output_name.hpp"
 #include "app/standard_streams.hpp"
@@ -22,6 +23,7 @@ struct StudyOptions {
   std::string exact_folder = "scenes/exact";
   bool exact_folder_given = false;
   std::string parts_folder;
+  int most_levels = all_levels;
 };
 
 /// The folder of the CAD part's exact surface; "" where it is not where it was looked for by default, and
@@ -47,7 +49,7 @@ StudyReport studied(const StudyOptions& options) {
   if (subject == "friction") return study_friction(progress);
   const std::string exact = exact_folder(options);
   const std::string scenes = exact.empty() ? "" : exact + "/..";
-  return study_contact(progress, exact, {scenes, options.parts_folder});
+  return study_contact(progress, {exact, scenes, options.parts_folder, options.most_levels});
 }
 
 /// A scene is what `scene` studies, and what no other subject has.
@@ -92,6 +94,12 @@ void add_study(CLI::App& program, Action& action) {
                                    "contact: folder of meshes (unit mm) on which to judge auto, besides the "
                                    "scenes beside scenes/exact"),
                "FOLDER");
+  command
+      ->add_option("--levels", options->most_levels,
+                   "contact: so many tessellations of each exact surface, the coarsest; 2 take half of the "
+                   "time")
+      ->check(whole_number_in(2, all_levels))
+      ->capture_default_str();
   command->footer(
       "friction: every law's error against its own limit of short ticks and against exact stick-slip, by "
       "rate, beside its cost.\n"
@@ -104,7 +112,8 @@ void add_study(CLI::App& program, Action& action) {
       "most "
       "complete model: choices.csv, a chart, and scene.toml with the cheapest choice that keeps the scene's "
       "tolerances; under a minute.\n"
-      "contact takes a minute or two, friction and stability ten to thirty seconds. Files named *_measured "
+      "contact takes two minutes (--levels 2: one), friction and stability ten to thirty seconds. "
+      "Files named *_measured "
       "hold times of this machine; all others are "
       "the same "
       "at every run.");

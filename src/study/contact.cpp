@@ -4,17 +4,16 @@
 
 namespace fingerpad {
 
-StudyReport study_contact(const StudyProgress& progress, const std::string& exact_folder,
-                          const JudgedFolders& judged) {
+StudyReport study_contact(const StudyProgress& progress, const ContactExtent& extent) {
   std::optional<ExactSet> exact;
   // First, so that what is broken there is told at once.
-  if (!exact_folder.empty()) exact = load_exact_set(exact_folder);
+  if (!extent.exact_folder.empty()) exact = load_exact_set(extent.exact_folder);
   StudyReport report;
-  study_contact_accuracy(report, progress);
+  study_contact_accuracy(report, extent.most_levels, progress);
   if (exact) study_contact_exact(report, *exact, progress);
   progress("strikes through thin walls");
   study_contact_strikes(report);
-  study_contact_auto(report, judged, progress);
+  study_contact_auto(report, extent, progress);
   return report;
 }
 

@@ -263,9 +263,9 @@ void tell_costs(StudyReport& report, const std::vector<SurfaceResult>& results) 
 
 }  // namespace
 
-void study_contact_accuracy(StudyReport& report, const StudyProgress& progress) {
+void study_contact_accuracy(StudyReport& report, int most_levels, const StudyProgress& progress) {
   std::vector<SurfaceResult> results;
-  for (const ExactSurface& surface : exact_surfaces()) {
+  for (const ExactSurface& surface : exact_surfaces(most_levels)) {
     progress(title_of(surface));
     results.push_back(measured(surface));
   }

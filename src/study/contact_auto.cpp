@@ -138,17 +138,17 @@ void draw_judged(StudyReport& report, const std::vector<JudgedRow>& rows) {
 
 }  // namespace
 
-void study_contact_auto(StudyReport& report, const JudgedFolders& folders, const StudyProgress& progress) {
+void study_contact_auto(StudyReport& report, const ContactExtent& extent, const StudyProgress& progress) {
   std::vector<JudgedRow> rows;
   const TakeCase take = [&](const JudgedCase& one) {
     progress("what auto promises, and keeps: " + one.name);
     rows.push_back(judged(one, judged_turns));
   };
-  take_exact_cases(take);
-  if (!folders.scenes.empty()) take_scene_cases(folders.scenes, take);
-  if (!folders.parts.empty()) {
+  take_exact_cases(take, "", extent.most_levels);
+  if (!extent.scenes.empty()) take_scene_cases(extent.scenes, take);
+  if (!extent.parts.empty()) {
     for (const std::string& file :
-         files_of(folders.parts, [](const std::string& ending) { return !ending.empty(); }))
+         files_of(extent.parts, [](const std::string& ending) { return !ending.empty(); }))
       take_part_cases(file, judged_strokes, take);
   }
   tell_judged(report, rows);

@@ -7,9 +7,9 @@
 namespace fingerpad {
 
 /// The parts of study_contact; each adds its tables and charts.
-void study_contact_accuracy(StudyReport& report, const StudyProgress& progress);
+void study_contact_accuracy(StudyReport& report, int most_levels, const StudyProgress& progress);
 void study_contact_exact(StudyReport& report, const ExactSet& set, const StudyProgress& progress);
 void study_contact_strikes(StudyReport& report);
-void study_contact_auto(StudyReport& report, const JudgedFolders& folders, const StudyProgress& progress);
+void study_contact_auto(StudyReport& report, const ContactExtent& extent, const StudyProgress& progress);
 
 }  // namespace fingerpad

@@ -1,6 +1,8 @@
 #include "study/contact_surfaces.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 
 #include "study/shape_meshes.hpp"
@@ -199,14 +201,20 @@ ExactSurface block() {
   return surface;
 }
 
-}  // namespace
-
-std::vector<ExactSurface> exact_surfaces() {
-  return {sphere(), torus(), round_part()};
+std::vector<ExactSurface> coarsest(std::vector<ExactSurface> surfaces, int most_levels) {
+  for (ExactSurface& surface : surfaces)
+    surface.levels.resize(std::min(surface.levels.size(), static_cast<std::size_t>(most_levels)));
+  return surfaces;
 }
 
-std::vector<ExactSurface> small_exact_surfaces() {
-  return {hollow(), knob(), block()};
+}  // namespace
+
+std::vector<ExactSurface> exact_surfaces(int most_levels) {
+  return coarsest({sphere(), torus(), round_part()}, most_levels);
+}
+
+std::vector<ExactSurface> small_exact_surfaces(int most_levels) {
+  return coarsest({hollow(), knob(), block()}, most_levels);
 }
 
 }  // namespace fingerpad

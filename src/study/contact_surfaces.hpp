@@ -29,13 +29,16 @@ struct ExactSurface {
   bool is_whole = true;                                        ///< `foot` is right all over the mesh
 };
 
+inline constexpr int all_levels = 5;
+
 /// A sphere (patches superconverge there: no orders are told from it), a generic torus, and a cylinder whose
 /// rims are rounded by quarter circles, as CAD fillets are.
-std::vector<ExactSurface> exact_surfaces();
+/// @param most_levels  of tessellation, the coarsest: finer ones take longer
+std::vector<ExactSurface> exact_surfaces(int most_levels = all_levels);
 
 /// Where a part's places differ: a spherical hollow of 8.5 mm in a box, which a ball of 7 mm just fits; a
 /// knob, a three-hundredth of the surface of a plate 0.3 m wide that is flat but for it; a block whose flat
 /// sides are two triangles each, and its roundings many. Their ways stay in the hollow and on the knob.
-std::vector<ExactSurface> small_exact_surfaces();
+std::vector<ExactSurface> small_exact_surfaces(int most_levels = all_levels);
 
 }  // namespace fingerpad

@@ -120,9 +120,9 @@ FingerPath way_through(const std::vector<Vec3>& places_W, const Scene& scene) {
   return {std::move(way), scene.motion.rate_hz, scene.finger.direction};
 }
 
-void take_exact_cases(const TakeCase& take, const std::string& surface_name) {
-  std::vector<ExactSurface> surfaces = exact_surfaces();
-  for (ExactSurface& small : small_exact_surfaces()) surfaces.push_back(std::move(small));
+void take_exact_cases(const TakeCase& take, const std::string& surface_name, int most_levels) {
+  std::vector<ExactSurface> surfaces = exact_surfaces(most_levels);
+  for (ExactSurface& small : small_exact_surfaces(most_levels)) surfaces.push_back(std::move(small));
   for (const ExactSurface& surface : surfaces) {
     if (!surface_name.empty() && surface.name != surface_name) continue;
     for (const int level : surface.levels) {

@@ -7,6 +7,7 @@
 
 #include "motion/finger_path.hpp"
 #include "scene/scene.hpp"
+#include "study/contact_surfaces.hpp"
 #include "study/studies.hpp"
 #include "touch/world.hpp"
 
@@ -32,7 +33,7 @@ using TakeCase = std::function<void(const JudgedCase&)>;
 /// Tessellations of the surfaces that are known exactly, each under a point and a ball, pressed lightly and
 /// hard.
 /// @param surface  the name of one of them; none: all
-void take_exact_cases(const TakeCase& take, const std::string& surface = "");
+void take_exact_cases(const TakeCase& take, const std::string& surface = "", int most_levels = all_levels);
 
 /// Scene files of a folder and of its gallery, each part and motion once, with method and normals left open.
 /// Scenes that are refused or have no mesh are passed over; a [hand] does not act.

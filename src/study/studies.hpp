@@ -3,6 +3,7 @@
 #include <functional>
 #include <string>
 
+#include "study/contact_surfaces.hpp"
 #include "study/report.hpp"
 
 namespace fingerpad {
@@ -19,21 +20,23 @@ StudyReport study_stability(const StudyProgress& progress);
 /// cost. Some twenty seconds; tables and charts named "_measured" hold times.
 StudyReport study_friction(const StudyProgress& progress);
 
-/// Where `auto` is judged besides the surfaces that are known exactly; "": nowhere.
-struct JudgedFolders {
-  std::string scenes;  ///< of scene files, with a folder `gallery` of more
-  std::string parts;   ///< of meshes, their unit a millimetre
+/// How much study_contact looks at.
+struct ContactExtent {
+  /// Samples of a CAD part's exact surface (a program without a CAD kernel has not got more) with its
+  /// tessellations, as in scenes/exact; "": go without, and leave its tables out.
+  std::string exact_folder;
+  std::string
+      scenes;  ///< folder of scene files on which `auto` is judged too, with a folder `gallery`; "": none
+  std::string parts;  ///< folder of meshes, their unit a millimetre, on which it is; "": none
+  int most_levels =
+      all_levels;  ///< of tessellation of each surface that is known exactly, the coarsest: 2 to 5, all
 };
 
 /// Every contact method with every kind of normals, on tessellations of surfaces that are known exactly:
 /// position, normal, force and force steps against the exact ones, beside the time of a tick; and how many
-/// strikes pop through thin walls; and what `auto` promises, keeps and costs. Some fifteen seconds; tables
-/// and charts named "_measured" hold times.
-/// @param exact_folder  samples of a CAD part's exact surface (a program without a CAD kernel has not got
-/// more)
-///                      with its tessellations, as in scenes/exact; "": go without, and leave its tables out.
-///                      Throws Error (refused) where the folder cannot be used.
-StudyReport study_contact(const StudyProgress& progress, const std::string& exact_folder,
-                          const JudgedFolders& judged);
+/// strikes pop through thin walls; and what `auto` promises, keeps and costs. Two minutes, half of it with
+/// two levels; tables and charts named "_measured" hold times. Throws Error (refused) where the exact
+/// folder cannot be used.
+StudyReport study_contact(const StudyProgress& progress, const ContactExtent& extent);
 
 }  // namespace fingerpad

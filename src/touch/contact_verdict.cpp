@@ -17,7 +17,7 @@ constexpr double reckoning_margin = 4.0 / 3;
 /// Beyond a third of the force reckoning says nothing, and an error of mu as large as mu is no tolerance.
 constexpr double most_force_kept = 1.0 / 3, most_mu_kept = 1;
 /// Where nothing keeps the tolerance, what costs less may miss it by so much more than the best.
-constexpr double nearly_best = 1.2;
+constexpr double nearly_best = 1.1;
 
 /// @param pairs  the most complete method's last
 std::size_t best_of(const std::vector<ContactPair>& pairs, std::span<const ContactCase> cases) {
