@@ -37,28 +37,27 @@ std::string thinned_words(const ViewInput& input) {
 }
 
 /// @param tail  behind what was left out: what is not there therefore
-std::string subtitle_of(const ViewInput& input, const Vec3& direction_W, const char* tail) {
+std::string subtitle_of(const ViewInput& input, const char* tail) {
   std::string words;
   if (input.scene) {
-    words = fmt::format("law {}, {} ticks a second", input.scene->friction.law,
+    words = fmt::format("{}, {} ticks a second", input.scene->friction.law,
                         static_cast<long>(std::lround(input.scene->motion.rate_hz)));
   }
   if (const std::string thinned = thinned_words(input); !thinned.empty())
     words += fmt::format("{}{}{}", words.empty() ? "" : ", ", thinned, tail);
-  const double largest = direction_W.cwiseAbs().maxCoeff();
-  if (largest < 0.99996192) {
-    words += fmt::format("{}s is the way along ({}, {}, {})", words.empty() ? "" : "; ",
-                         fixed_text(direction_W.x(), 2), fixed_text(direction_W.y(), 2),
-                         fixed_text(direction_W.z(), 2));
-  }
   return words;
 }
 
-/// Where several walls held the finger at once.
-std::string walls_words(const ViewInput& input) {
-  const bool any =
-      std::any_of(input.rows.begin(), input.rows.end(), [](const TickRecord& row) { return row.walls > 1; });
-  return any ? "where several walls hold the finger, forces are the sum over them" : "";
+/// What s is, where it is no axis, and what forces are where several walls hold the finger.
+std::string axes_words(const ViewInput& input, const Vec3& direction_W) {
+  std::string words;
+  if (direction_W.cwiseAbs().maxCoeff() < 0.99996192)
+    words = fmt::format("s is the way along ({}, {}, {})", fixed_text(direction_W.x(), 2),
+                        fixed_text(direction_W.y(), 2), fixed_text(direction_W.z(), 2));
+  if (std::any_of(input.rows.begin(), input.rows.end(), [](const TickRecord& row) { return row.walls > 1; }))
+    words += fmt::format("{}where several walls hold the finger, forces are the sum over them",
+                         words.empty() ? "" : "; ");
+  return words;
 }
 
 /// @returns where the page below its title begins
@@ -91,8 +90,8 @@ std::string folding_words(const Chart& spectrum) {
 /// What a history of some of the ticks cannot tell.
 std::vector<std::string> history_subtitles(const ViewInput& input, const Vec3& direction_W, Over over,
                                            const Chart& spectrum) {
-  std::vector<std::string> subtitles = {subtitle_of(input, direction_W, ": no rings where slip ended")};
-  if (std::string walls = walls_words(input); !walls.empty()) subtitles.push_back(std::move(walls));
+  std::vector<std::string> subtitles = {subtitle_of(input, ": no rings where slip ended")};
+  if (std::string axes = axes_words(input, direction_W); !axes.empty()) subtitles.push_back(std::move(axes));
   if (input.every <= 1) return subtitles;
   if (over != Over::time) subtitles.emplace_back(shortened_words(over));
   if (!spectrum.panels.empty() && !spectrum.panels[0].curves.empty())
@@ -142,13 +141,14 @@ Drawing spectrum_drawing(const ViewInput& input, int width, int height) {
   if (spectrum.panels[0].curves.empty())
     throw refused(input.title, "has forces that do not change: no spectrum");
   const ChartCurve& first = spectrum.panels[0].curves[0];
-  std::vector<std::string> subtitles = {subtitle_of(input, direction_W, "")};
+  std::vector<std::string> subtitles = {subtitle_of(input, "")};
   // Where ticks were left out a peak may be that of something faster.
   if (input.every > 1)
     subtitles.push_back(folding_words(spectrum));
   else
     subtitles[0] +=
         fmt::format("{}{} peaks at {:.0f} Hz", subtitles[0].empty() ? "" : "; ", first.name, peak_hz(first));
+  if (std::string axes = axes_words(input, direction_W); !axes.empty()) subtitles.push_back(std::move(axes));
   const double top = draw_title(page, input.title, subtitles, width, height, em);
   draw_chart(page, spectrum, {margin, 0.6 * em, width - 2 * margin, top - 0.6 * em}, em);
   return page;
