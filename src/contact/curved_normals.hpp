@@ -5,17 +5,18 @@
 namespace fingerpad {
 
 /// The normal at corner k of triangle t that curved patches share over the smooth fan around it: the sum of
-/// the fan's facet normals, each weighted with its angle at the corner times its area, unit. Beside a facet
-/// that is half of a flat polygon those of less than a quarter of its area are left out, and those of less
-/// than half count for less.
+/// the fan's facet normals, each weighted with its angle at the corner times its area, unit. Beside a flat
+/// face (a facet that shares its plane with a neighbour) of twice its area a fillet's first facet is left
+/// out: one beyond which the surface turns on by nearly twice as much as from the face to it.
 ///
-/// So a flat face keeps its own normal where it meets the narrow facets of a fillet, a bore's wall that of
-/// its own strips, and the fillet's first facet leaves along it. Part::corner_normals (angle alone) tilt
-/// there by half a facet's turn, and a patch over the face would rise by a quarter of that tilt times its
-/// length. A face no wider than the facets beside it cannot be told from one of theirs. The angle makes both
-/// triangles of a quad count as one facet, however it was split. Fans of more than 64 triangles keep
-/// Part::corner_normals. noexcept, allocates nothing; the same from every triangle of the fan, up to
-/// rounding.
+/// So a flat face keeps its own normal where it meets the facets of a fillet, a bore's wall that of its own
+/// strips, and the fillet's first facet leaves along it. Part::corner_normals (angle alone) tilt there by
+/// half a facet's turn, and a patch over the face would rise by a quarter of that tilt times its length. A
+/// face no wider than the facets beside it is not looked at so, nor is a fillet of one facet. The angle makes
+/// both triangles of a quad count as one facet, however it was split. Fans of more than 64 triangles keep
+/// Part::corner_normals.
+///
+/// noexcept, allocates nothing; the same from every triangle of the fan, up to rounding.
 Vec3 curved_corner_normal(const Part& part, int t, int corner) noexcept;
 
 /// That of every corner, 3 x 3n as Part::corner_normals. On all threads; the same bits on any number of them.

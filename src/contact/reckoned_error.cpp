@@ -33,8 +33,9 @@ double free_foot_turn(double u) noexcept {
 }
 
 /// By how much of a facet's turn the normal at the foot on it is off that at the foot on the surface.
-double foot_turn(double u, bool is_inside, bool lags) noexcept {
-  return u >= 0 || (lags && is_inside) ? free_foot_turn(u) : std::min(1.0, -u);
+/// @param held  how far edges of facets hold the foot inside a rounding, 0 .. 1
+double foot_turn(double u, double held) noexcept {
+  return u >= 0 ? free_foot_turn(u) : held * std::min(1.0, -u) + (1 - held) * free_foot_turn(u);
 }
 
 double facet_turn(double u, bool is_inside, bool lags) noexcept {
@@ -71,19 +72,25 @@ double hollow_factor(const Way& way, double curvature_per_m, const Centre& centr
   return room > 0 ? std::max(1.0, std::sqrt(differ_by / room)) : 1;
 }
 
+/// Inside a rounding edges of facets hold a proxy's foot that run along it: on a fillet, not on a ball.
+double held_foot(const Way& way, const SurfacePlace& place, const Centre& centre) noexcept {
+  constexpr double ball_from = 0.5;  // of the curvature along: that across
+  if (!way.lags || centre.height_m() >= 0 || !(place.curvature_per_m > 0)) return 1;
+  return 1 - std::clamp(place.across_per_m / place.curvature_per_m / ball_from, 0.0, 1.0);
+}
+
 /// Across the force [rad].
 double tilt_rad(const Way& way, const SurfacePlace& place, const Centre& centre) noexcept {
   const double u = centre.height_m() * place.curvature_per_m;
-  // A point on plain facets does not get round at all.
-  if (way.shows_facets && centre.radius_m == 0 && falls_behind(way, place.curvature_per_m, centre))
-    return whole_force;
+  // On plain facets it does not get round at all.
+  if (way.shows_facets && falls_behind(way, place.curvature_per_m, centre)) return whole_force;
   double off = 0;
   if (way.touches_patches)
     off = place.patch_rad * (u >= 0 ? 1 : 1 / (1 + u));
   else if (way.shows_facets)
     off = place.facet_rad * facet_turn(u, centre.height_m() < 0, way.lags);
   else
-    off = way.off_rad(place) + place.facet_rad * foot_turn(u, centre.height_m() < 0, way.lags);
+    off = way.off_rad(place) + place.facet_rad * foot_turn(u, held_foot(way, place, centre));
   return std::min(off * hollow_factor(way, place.curvature_per_m, centre), whole_force);
 }
 

@@ -50,7 +50,7 @@ struct RegionError {
 ///                     off that on the surface by h t, where the surface is turned by t |u| (u < 0, the
 ///                     finger's centre on the side of the centre of curvature; at most t) or t u / (1 + u):
 ///                     beyond, edges of the facets hold the foot. So: F (off + t |u|). Inside a rounding
-///                     they do not hold a proxy's: t |u| / (1 + u).
+///                     that is round both ways, as a ball is, they do not hold a proxy's: t |u| / (1 + u).
 ///                     Facets' own normals know no foot: they are off by t, less where the finger rolls over
 ///                     the edges between them (t / (1 + u), u > 0), and more under a proxy inside a rounding,
 ///                     which leaves a facet when the finger is past what lies straight under it:

@@ -39,9 +39,8 @@ double angle_of(const Vec3& a, const Vec3& b) {
 
 /// How fast the corners' normals turn along a direction in the facet, > 0 where they spread (Rusinkiewicz
 /// 2004). Not the patch's own second derivatives: they are off by as much as there is.
-double curvature_along(const CurvedPatch& patch, const Vec3& facet, const Vec3& leaning) {
+double curvature_along(const CurvedPatch& patch, const Vec3& direction) {
   const Vec3 e1 = patch.control[1] - patch.control[0], e2 = patch.control[2] - patch.control[0];
-  const Vec3 direction = leaning - leaning.dot(facet) * facet;
   const double e = e1.squaredNorm(), f = e1.dot(e2), g = e2.squaredNorm(), det = e * g - f * f;
   const double length2 = direction.squaredNorm();
   if (!(det > 0) || !(length2 > 0)) return 0;
@@ -69,9 +68,13 @@ SurfacePlace place_on(const TriangleTree& tree, int t, const Vec3& b) {
   place.smooth_rad = angle_of(normals_smooth.shade(tree, t, at, facet), curved);
   const Vec3 cross = on.x1.cross(on.x2);
   if (cross.dot(facet) > 0) place.patch_rad = angle_of(cross.normalized(), curved);
-  if (place.facet_rad > flat_rad) place.curvature_per_m = curvature_along(patch, facet, curved);
+  if (place.facet_rad > flat_rad) {
+    const Vec3 leaning = curved - curved.dot(facet) * facet;
+    place.curvature_per_m = curvature_along(patch, leaning);
+    place.across_per_m = curvature_along(patch, facet.cross(leaning));
+  }
   place.width_m = shape_of(part, t).height_m;
-  if (!std::isfinite(place.sag_m + place.curvature_per_m)) place = {};
+  if (!std::isfinite(place.sag_m + place.curvature_per_m + place.across_per_m)) place = {};
   place.triangle = t;
   place.region = region_of(part, flat);
   return place;

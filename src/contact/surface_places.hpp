@@ -19,6 +19,7 @@ struct SurfacePlace {
   double patch_rad = 0;   ///< the patch's own normal off it: how badly the patch fits its corners' normals
   double width_m = 0;     ///< of the facet, over its longest edge
   double curvature_per_m = 0;  ///< along the way in which the facet leans; > 0 where it is convex
+  double across_per_m = 0;     ///< across that way
   int triangle = -1;           ///< the facet's number
   int region = 0;              ///< which of the cubes it lies in, an eighth of the part's longest side wide
 

@@ -166,6 +166,22 @@ TEST(CurvedPatch, ARoundWallBesideAFilletStaysStraightAlongItself) {
   EXPECT_EQ(on_wall, 48);
 }
 
+TEST(CurvedPatch, ANarrowStripOfARoundWallIsNoFillet) {
+  // Strips of 24 and 6 degrees in turn: all edges turn by 15, and no strip is flat.
+  const Part part = make_part(test::rounded_drum(24, 4, 0.8), crease_rad);
+  int on_wall = 0;
+  for (int t = 0; t < part.triangle_count(); ++t) {
+    if (std::abs(part.facet_normals(2, t)) > 1e-9) continue;
+    ++on_wall;
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 n = curved_corner_normal(part, t, k);
+      EXPECT_NEAR(n.z(), 0, 1e-9) << "the fillets at its ends are";
+      EXPECT_GT((n - Vec3(part.facet_normals.col(t))).norm(), 0.02);
+    }
+  }
+  EXPECT_EQ(on_wall, 48);
+}
+
 TEST(CurvedPatch, ACornersNormalIsTheSameFromEveryTriangleOfItsFan) {
   const Part part = make_part(test::torus_soup(1, 0.4, 24, 16), crease_rad);  // no turn over 23 degrees
   Points seen = Points::Zero(3, part.welded_count);

@@ -40,7 +40,8 @@ inline TriangleSoup filleted_bar(int facets, int rows) {
 /// 1 that lead to its ends, which are open.
 /// @param around  strips of the wall
 /// @param facets  of each round
-inline TriangleSoup rounded_drum(int around, int facets) {
+/// @param share   of two strips' turn, that of the first
+inline TriangleSoup rounded_drum(int around, int facets, double share = 0.5) {
   std::vector<Vec2> profile;  // radius and height, upwards
   for (int i = 0; i <= facets; ++i) {
     const double angle = M_PI / 2 * (1 - static_cast<double>(i) / facets);
@@ -58,7 +59,7 @@ inline TriangleSoup rounded_drum(int around, int facets) {
   for (int j = 0; j < rows; ++j) {
     const Vec2 at = profile[static_cast<std::size_t>(j)];
     for (int i = 0; i < around; ++i) {
-      const double angle = 2 * M_PI * i / around;
+      const double angle = 2 * M_PI / around * (i - i % 2 + i % 2 * 2 * share);
       const int a = j * around + i, b = j * around + (i + 1) % around;
       soup.vertices_P.col(a) << at.x() * std::cos(angle), at.x() * std::sin(angle), at.y();
       if (j + 1 == rows) continue;

@@ -46,8 +46,11 @@ TEST(ReckonedError, OfNormalsIsTheirTiltAndThatOfTheFoot) {
   EXPECT_NEAR(share(place, press, "closest-point", Normals::facet), 0.04, 1e-12) << "whatever the depth";
   EXPECT_NEAR(share(place, press, "proxy", Normals::facet), 0.04 / 0.8, 1e-12) << "it leaves the facet late";
   EXPECT_NEAR(share(place, press, "closest-point", Normals::smooth), 0.01 + 0.2 * 0.04, 1e-12);
+  EXPECT_NEAR(share(place, press, "proxy", Normals::curved), 0.2 * 0.04, 1e-12);
+  place.across_per_m = 20;
   EXPECT_NEAR(share(place, press, "proxy", Normals::curved), 0.2 / 0.8 * 0.04, 1e-12)
-      << "inside a rounding no edge of a facet holds a proxy's foot";
+      << "inside what is round both ways no edge of a facet holds a proxy's foot";
+  EXPECT_NEAR(share(place, press, "closest-point", Normals::smooth), 0.01 + 0.2 * 0.04, 1e-12);
   // A ball of 12 mm: its centre is 11 mm over the surface at 1 N, u = 0.22.
   const Press ball{1000, 0.012, 10};
   EXPECT_NEAR(share(place, ball, "proxy", Normals::curved), 0.04 * 0.22 / 1.22, 1e-12);
