@@ -23,7 +23,7 @@ struct StudyOptions {
   std::string exact_folder = "scenes/exact";
   bool exact_folder_given = false;
   std::string parts_folder;
-  int most_levels = all_levels;
+  int most_levels = 0;  ///< 0: all
 };
 
 /// The folder of the CAD part's exact surface; "" where it is not where it was looked for by default, and
@@ -49,19 +49,22 @@ StudyReport studied(const StudyOptions& options) {
   if (subject == "friction") return study_friction(progress);
   const std::string exact = exact_folder(options);
   const std::string scenes = exact.empty() ? "" : exact + "/..";
-  return study_contact(progress, {exact, scenes, options.parts_folder, options.most_levels});
+  return study_contact(progress, {exact, scenes, options.parts_folder,
+                                  options.most_levels == 0 ? all_levels : options.most_levels});
 }
 
-/// A scene is what `scene` studies, and what no other subject has.
-void refuse_odd_scene(const StudyOptions& options) {
+/// A scene is what `scene` studies, and what no other subject has; levels are those of `contact`.
+void refuse_odd_options(const StudyOptions& options) {
   if (options.subject == "scene" && options.scene.empty())
     throw Error(ErrorKind::usage, "study scene", "needs a scene: fingerpad study scene SCENE.toml --out DIR");
   if (options.subject != "scene" && !options.scene.empty())
     throw Error(ErrorKind::usage, options.scene, fmt::format("study {} takes no scene", options.subject));
+  if (options.subject != "contact" && options.most_levels != 0)
+    throw Error(ErrorKind::usage, "--levels", "is of study contact alone");
 }
 
 int study(const StudyOptions& options) {
-  refuse_odd_scene(options);
+  refuse_odd_options(options);
   if (options.out_dir == "-")
     throw Error(ErrorKind::usage, "--out", "a study needs a folder, not standard output");
   if (options.subject == "scene") return study_one_scene(options.scene, options.out_dir);
@@ -98,8 +101,7 @@ void add_study(CLI::App& program, Action& action) {
       ->add_option("--levels", options->most_levels,
                    "contact: so many tessellations of each exact surface, the coarsest; 2 take half of the "
                    "time")
-      ->check(whole_number_in(2, all_levels))
-      ->capture_default_str();
+      ->check(whole_number_in(2, 5));
   command->footer(
       "friction: every law's error against its own limit of short ticks and against exact stick-slip, by "
       "rate, beside its cost.\n"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "contact/contact_cost.hpp"
 #include "part/in_parallel.hpp"
@@ -25,7 +26,7 @@ struct Trial {
   Promised promised;
 };
 
-/// On all threads: nothing is timed in trials.
+/// At once, on what threads there are: nothing is timed in trials.
 template <typename Work>
 void for_each_at_once(std::size_t count, const Work& work) {
   in_parallel(
@@ -47,7 +48,8 @@ std::vector<Trial> trials_of(const JudgedCase& one) {
   return trials;
 }
 
-/// So many trials are made before it is asked whether others are needed: the same on any number of threads.
+/// So many trials are made before it is asked whether others are needed: the same on any number of threads,
+/// and at least so many.
 constexpr std::size_t trials_at_a_time = 8;
 
 /// Fills in the worst of the promise's trials, by variant.
@@ -55,8 +57,10 @@ void try_promise(const JudgedCase& one, JudgedRow& row) {
   const std::vector<Trial> trials = trials_of(one);
   for (std::size_t v = 0; v < contact_variants().size(); ++v) {
     double& worst = row.trial_99.emplace_back(is_judged(one, row, v) ? 0 : not_judged);
+    long& pop_throughs = row.trial_pop_throughs.emplace_back(0);
+    if (!is_judged(one, row, v)) continue;
     const bool asks_for_all = v == row.chosen || v + 1 == contact_variants().size();
-    for (std::size_t first = 0; worst < not_judged && first < trials.size(); first += trials_at_a_time) {
+    for (std::size_t first = 0; first < trials.size(); first += trials_at_a_time) {
       const bool fails = std::max(worst, row.error_99[v]) > row.tolerance;
       if (first > 0 && fails && !asks_for_all) break;
       std::vector<JudgedErrors> some(std::min(trials_at_a_time, trials.size() - first));
@@ -67,7 +71,7 @@ void try_promise(const JudgedCase& one, JudgedRow& row) {
       });
       for (const JudgedErrors& trial : some) {
         worst = std::max(worst, trial.share_99);
-        row.pop_throughs[v] += trial.pop_throughs;
+        pop_throughs += trial.pop_throughs;
       }
     }
   }
@@ -108,20 +112,24 @@ JudgedWord word_of(double error, bool pops, double promised, double tolerance) {
 
 }  // namespace
 
+bool JudgedRow::pops(std::size_t variant, bool in_trials_too) const {
+  return pop_throughs[variant] > pop_throughs.back() ||
+         (in_trials_too && trial_pop_throughs[variant] > trial_pop_throughs.back());
+}
+
 JudgedWord JudgedRow::word() const {
-  return word_of(std::max(error_99[chosen], trial_99[chosen]), pop_throughs[chosen] > pop_throughs.back(),
-                 promised, tolerance);
+  return word_of(std::max(error_99[chosen], trial_99[chosen]), pops(chosen, true), promised, tolerance);
 }
 
 JudgedWord JudgedRow::word_of_motion() const {
-  return word_of(error_99[chosen], pop_throughs[chosen] > pop_throughs.back(), promised, tolerance);
+  return word_of(error_99[chosen], pops(chosen, false), promised, tolerance);
 }
 
 std::size_t JudgedRow::cheapest(const std::vector<double>& price, bool of_promise) const {
   std::size_t best = price.size();
   for (std::size_t v = 0; v < price.size(); ++v) {
-    const bool keeps = error_99[v] <= tolerance && (!of_promise || trial_99[v] <= tolerance) &&
-                       pop_throughs[v] <= pop_throughs.back();
+    const bool keeps =
+        error_99[v] <= tolerance && (!of_promise || trial_99[v] <= tolerance) && !pops(v, of_promise);
     if (keeps && (best == price.size() || price[v] < price[best])) best = v;
   }
   return best;

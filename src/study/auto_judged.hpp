@@ -29,11 +29,13 @@ struct JudgedRow {
   std::vector<double> trial_99;           ///< by variant: the largest such error of the promise's trials; of
                                           ///< those not chosen no more is tried once it is above tolerance
   std::vector<double> cost;               ///< by variant, as the committed table has it
-  std::vector<long> pop_throughs;         ///< by variant, in the motion and the trials; the last, the most
-                                   ///< complete, tells how many are the ways': a finger that is dragged
-                                   ///< through a part's inside
+  /// By variant, in the motion and in those trials; the last, the most complete, tells how many are the
+  /// ways': a finger that is dragged through a part's inside.
+  std::vector<long> pop_throughs, trial_pop_throughs;
   long ticks = 0;  ///< of the motion, on which anything is felt
 
+  /// Whether the finger pops through with it where it does not with the most complete.
+  bool pops(std::size_t variant, bool in_trials_too) const;
   /// By the motion and the trials.
   JudgedWord word() const;
   /// By the motion alone, which need not meet what the part has.

@@ -29,7 +29,7 @@ struct ExactSurface {
   bool is_whole = true;                                        ///< `foot` is right all over the mesh
 };
 
-inline constexpr int all_levels = 5;
+inline constexpr int all_levels = std::numeric_limits<int>::max();
 
 /// A sphere (patches superconverge there: no orders are told from it), a generic torus, and a cylinder whose
 /// rims are rounded by quarter circles, as CAD fillets are.

@@ -20,10 +20,10 @@ double pressing_n(const RecordedTrial& trial) {
   return pressed_median_n({along_n.data(), static_cast<std::size_t>(along_n.size())});
 }
 
-bool stands_out(const RecordedTrial& trial, double along_normal) {
+bool stands_out(const RecordedTrial& trial, double force_n) {
   constexpr double beyond_noise = 20;
   const Eigen::RowVectorXd along_n = along_normal_n(trial);
-  return std::abs(along_normal) >
+  return std::abs(force_n) >
          beyond_noise * sample_noise({along_n.data(), static_cast<std::size_t>(along_n.size())});
 }
 

@@ -47,6 +47,7 @@ bool is_free(const TriangleTree& tree, const Landing& landing, double height_m, 
 double drawn_press(StrokePress press, bool is_hard_turn, RandomStream& random) {
   constexpr double lightest = 0.1, hard = 1.0 / 3;
   if (press == StrokePress::lightest || (press == StrokePress::mixed && !is_hard_turn)) return lightest;
+  // Drawn for the greatest too, which so comes down at the same places as the hard ones.
   const double drawn = std::pow(press == StrokePress::hard ? hard : lightest, random.uniform());
   return press == StrokePress::greatest ? 1 : drawn;
 }

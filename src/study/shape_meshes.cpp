@@ -150,23 +150,20 @@ TriangleSoup rounded_block_mesh(const Vec3& inner_half_m, double rounding_m, int
     }
   }
   std::vector<Eigen::Vector3i> triangles;
-  const auto add = [&](int a, int b, int c) {
-    const auto at = [&](int k) -> Vec3 { return soup.vertices_P.col(k); };
-    // At the poles a quarter's vertices are one.
-    if ((at(b) - at(a)).cross(at(c) - at(a)).norm() > 1e-12) triangles.emplace_back(a, b, c);
-  };
   for (int j = 0; j + 1 < up; ++j) {
     for (int i = 0; i < around; ++i) {
       const int a = j * around + i, b = j * around + (i + 1) % around;
-      add(a, b, b + around);
-      add(a, b + around, a + around);
+      // At a pole a quarter's vertices are one; the edge to the next quarter is a flat side's.
+      const bool is_within_quarter = i % (steps + 1) != steps;
+      if (j > 0 || !is_within_quarter) triangles.emplace_back(a, b, b + around);
+      if (j + 2 < up || !is_within_quarter) triangles.emplace_back(a, b + around, a + around);
     }
   }
   const int top = (up - 1) * around, quarter = steps + 1;
-  add(top, top + quarter, top + 2 * quarter);
-  add(top, top + 2 * quarter, top + 3 * quarter);
-  add(0, 2 * quarter, quarter);
-  add(0, 3 * quarter, 2 * quarter);
+  triangles.emplace_back(top, top + quarter, top + 2 * quarter);
+  triangles.emplace_back(top, top + 2 * quarter, top + 3 * quarter);
+  triangles.emplace_back(0, 2 * quarter, quarter);
+  triangles.emplace_back(0, 3 * quarter, 2 * quarter);
   soup.triangles.resize(3, static_cast<Eigen::Index>(triangles.size()));
   for (std::size_t k = 0; k < triangles.size(); ++k)
     soup.triangles.col(static_cast<Eigen::Index>(k)) = triangles[k];

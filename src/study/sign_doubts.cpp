@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <vector>
 
 #include "base/error.hpp"
 #include "base/number_text.hpp"
@@ -14,24 +16,25 @@
 namespace fingerpad {
 namespace {
 
-/// Forces of the samples that press with half of what their trial does or more, from those in the air; the
-/// others are no numbers: in the air there is no friction, but the sensor's offset on a finger that moves.
+/// Forces of the samples that press with half of what their trial presses with, or more: by how much they
+/// differ from those in the air. The others are no numbers: no friction acts on a finger in the air, and the
+/// sensor's offset would be taken for one.
 Points pressed_force_W(const RecordedTrial& trial) {
+  constexpr double least_press_n = 0.05;          // an offset may be as large
   constexpr double pressed = 0.5, in_air = 0.25;  // of the trial's press
-  constexpr Eigen::Index fewest_in_air = 20;
+  constexpr double least_air_s = 0.02;
   const double press_n = pressing_n(trial), none = std::numeric_limits<double>::quiet_NaN();
-  if (!(press_n > 0) || !presses(trial)) return Points::Constant(3, trial.samples(), none);
+  if (!(press_n > least_press_n)) return Points::Constant(3, trial.samples(), none);
   const Eigen::RowVectorXd along_n = along_normal_n(trial);
   Vec3 air_W = Vec3::Zero();
-  Eigen::Index in_air_count = 0;
+  double air_count = 0;
   for (Eigen::Index i = 0; i < along_n.size(); ++i) {
     if (!(along_n[i] < in_air * press_n)) continue;
     air_W += trial.force_W.col(i);
-    ++in_air_count;
+    ++air_count;
   }
-  const Vec3 offset_W =
-      in_air_count < fewest_in_air ? Vec3::Zero() : Vec3(air_W / static_cast<double>(in_air_count));
-  Points forces_W = trial.force_W.colwise() - offset_W;
+  const bool has_air = air_count >= std::max(1.0, least_air_s * trial.rate_hz);
+  Points forces_W = trial.force_W.colwise() - (has_air ? Vec3(air_W / air_count) : Vec3(Vec3::Zero()));
   for (Eigen::Index i = 0; i < along_n.size(); ++i)
     if (!(along_n[i] >= pressed * press_n)) forces_W.col(i).setConstant(none);
   return forces_W;
@@ -50,15 +53,35 @@ SameMoments same_moments(const RecordedTrial& trial, double delay_s) {
           pressed_force_W(trial).middleCols(std::max<Eigen::Index>(lag, 0), count)};
 }
 
-/// No turn of a sensor puts right what one axis has of a mirror.
-void refuse_mirrored_axis(FileTrials trials, double delay_s) {
-  Vec3 share;
-  for (int axis = 0; axis < 3; ++axis) {
-    share[axis] = usual(trials, [&](const RecordedTrial& trial) {
-      const SameMoments both = same_moments(trial, delay_s);
-      return driving_share_by_axis(both.position_W, both.force_W, trial.rate_hz)[axis];
-    });
+/// What a trial's forces do on its finger (driving_share.hpp).
+struct Drive {
+  Vec3 by_axis;
+  double share = 0;
+};
+
+std::vector<Drive> drives_of(FileTrials trials, double delay_s) {
+  std::vector<Drive> drives;
+  for (const RecordedTrial& trial : trials) {
+    const SameMoments both = same_moments(trial, delay_s);
+    drives.push_back({driving_share_by_axis(both.position_W, both.force_W, trial.rate_hz),
+                      driving_share(both.position_W, both.force_W, trial.rate_hz)});
   }
+  return drives;
+}
+
+/// The middle of what trials have of it; not a number where none has.
+template <typename Of>
+double usual_of(FileTrials trials, const std::vector<Drive>& drives, const Of& of) {
+  return usual(trials, [&](const RecordedTrial& trial) {
+    return of(drives[static_cast<std::size_t>(&trial - trials.data())]);
+  });
+}
+
+/// No turn of a sensor puts right what one axis has of a mirror.
+void refuse_mirrored_axis(FileTrials trials, const std::vector<Drive>& drives) {
+  Vec3 share;
+  for (int axis = 0; axis < 3; ++axis)
+    share[axis] = usual_of(trials, drives, [axis](const Drive& drive) { return drive.by_axis[axis]; });
   for (int axis = 0; axis < 3; ++axis) {
     const bool others_brake = (share.array() < -most_driving_share).any();
     if (!(share[axis] > most_driving_share) || !others_brake) continue;
@@ -85,12 +108,9 @@ void ask_for_signs(FileTrials trials, const MeasurementFormat& format, double de
                   rounded_text(press_n, 3), format.force_on_plate ? "--force-on finger" : "--force-on plate",
                   format.force_on_plate ? "finger" : "plate"));
   if (!trials.front().lacks.empty()) return;  // no friction, whose sign could be wrong
-  refuse_mirrored_axis(trials, delay_s);
-  const double drives = usual(trials, [delay_s](const RecordedTrial& trial) {
-    const SameMoments both = same_moments(trial, delay_s);
-    return driving_share(both.position_W, both.force_W, trial.rate_hz);
-  });
-  if (drives > most_driving_share)
+  const std::vector<Drive> drives = drives_of(trials, delay_s);
+  refuse_mirrored_axis(trials, drives);
+  if (usual_of(trials, drives, [](const Drive& drive) { return drive.share; }) > most_driving_share)
     throw refused(
         file,
         "its force drives the finger along its way, and friction holds a finger back: fx and fy have the "

@@ -25,11 +25,10 @@ struct ContactExtent {
   /// Samples of a CAD part's exact surface (a program without a CAD kernel has not got more) with its
   /// tessellations, as in scenes/exact; "": go without, and leave its tables out.
   std::string exact_folder;
-  std::string
-      scenes;  ///< folder of scene files on which `auto` is judged too, with a folder `gallery`; "": none
-  std::string parts;  ///< folder of meshes, their unit a millimetre, on which it is; "": none
-  int most_levels =
-      all_levels;  ///< of tessellation of each surface that is known exactly, the coarsest: 2 to 5, all
+  /// Folders on which `auto` is judged too, "": none: of scene files, with a folder `gallery` of more, and of
+  /// meshes, their unit a millimetre.
+  std::string scenes, parts;
+  int most_levels = all_levels;  ///< of tessellation of each surface that is known exactly: at least 2
 };
 
 /// Every contact method with every kind of normals, on tessellations of surfaces that are known exactly:
