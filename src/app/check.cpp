@@ -92,12 +92,17 @@ CheckedMesh checked(const std::string& path, ImportOptions how) {
   tell(progress, "measuring its walls", 0.85);
   const PartMeasures measures = measure_part(*mesh.imported.part, *mesh.tree);
   mesh.wall_m = told_wall_m(*mesh.imported.part, measures);
-  if (measures.overlap_count > 0)
-    mesh.imported.verdict.warnings.push_back(fmt::format(
-        "overlapping: at {} of {} places looked at, another body, or the same surface, begins inside the "
-        "wall. "
-        "It can be touched, from outside as one solid; join its bodies in CAD where that is not meant",
-        measures.overlap_count, measures.ray_count));
+  // In a mesh that is open or wound both ways that says no more than its own warnings.
+  const bool is_closed = measures.open_edges == 0 && measures.contradicting_edges == 0;
+  if (measures.overlap_count > 0 && is_closed)
+    mesh.imported.verdict.warnings.push_back(
+        fmt::format("overlapping: at {} of {} places looked at something else of the part begins before the "
+                    "wall ends: {}",
+                    measures.overlap_count, measures.ray_count,
+                    mesh.imported.verdict.components > 1
+                        ? "its bodies lie in one another, and are felt as one solid; join them in CAD if "
+                          "that is not meant"
+                        : "its surface passes through itself; mend it in CAD if that is not meant"));
   return mesh;
 }
 

@@ -37,7 +37,8 @@ constexpr const char* description =
 constexpr const char* footer =
     "Exit codes: 0 done, 1 fault of the program, 2 usage, 3 an input was refused, 4 a batch finished with "
     "failed jobs, or what is compared differs.\n"
-    "`fingerpad SUBCOMMAND --help` tells each subcommand's options, defaults and units.";
+    "`fingerpad SUBCOMMAND --help`, or `fingerpad help SUBCOMMAND`, tells each subcommand's options, "
+    "defaults and units.";
 
 int report(const char* what, int code) {
   fingerpad::print_err("fingerpad: error: {}\n", what);
@@ -105,7 +106,8 @@ int run(int argc, char** argv) {
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) {  // --help and --version
+    if (error.get_exit_code() == 0 &&
+        unknown_subcommand(program, argc, argv).empty()) {  // --help and --version
       std::ostringstream out;
       const int code = program.exit(error, out, out);
       fingerpad::write_stream(stdout, out.str());
@@ -128,6 +130,7 @@ std::vector<char*> with_help_as_option(std::span<char*> arguments) {
   std::vector<char*> words(arguments.begin(), arguments.end());
   if (words.size() < 2 || std::string_view(words[1]) != "help") return words;
   words.erase(words.begin() + 1);
+  if (words.size() > 2) words.resize(2);  // what follows the subcommand asks for nothing
   words.push_back(help);
   return words;
 }

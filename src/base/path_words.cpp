@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <string_view>
 
 #include "base/near_file.hpp"
 
@@ -34,7 +35,8 @@ std::string missing_words(const fs::path& path, const char* what) {
   }
   const fs::path folder = path.parent_path();
   if (folder.empty() || fs::exists(folder, ignored)) {
-    const fs::path near = path.has_extension() ? near_file(path) : fs::path();
+    const bool is_file = std::string_view(what) == "file";
+    const fs::path near = is_file && path.has_extension() ? near_file(path) : fs::path();
     return fmt::format("there is no such {}{}", what,
                        near.empty() ? "" : fmt::format("; did you mean {}?", near.string()));
   }

@@ -145,7 +145,8 @@ SceneFile read_scene_file(const std::string& path) {
     // With its ending right, the error has said so.
     const std::string near = missing && fs::path(path).extension() != ".toml" ? near_scene_file(path) : "";
     if (near.empty()) throw;
-    throw Error(error.kind(), "", fmt::format("{}; did you mean {}?", error.what(), near));
+    throw Error(error.kind(), path,
+                fmt::format("cannot be read: there is no such file; did you mean {}?", near));
   }
 }
 

@@ -91,7 +91,7 @@ ContactGlyphs contact_glyphs(const ContactMoment& moment, const DrawSpace& space
     const auto force = [&](const Vec3& force_W_n, const Colour& colour) {
       glyphs.solid.arrow(contact, contact + force_W_n * choice.mm_per_n, 0.15 * size, colour);
     };
-    force(row.normal_W * row.normal_force_n, colours::blue);
+    force(row.force_W_n - row.friction_W_n, colours::blue);  // of several walls their resultant
     force(row.friction_W_n, colours::vermillion);
     glyphs.solid.arrow(contact, contact + row.force_W_n * choice.mm_per_n, 0.09 * size,
                        colours::reddish_purple);

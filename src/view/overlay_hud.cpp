@@ -27,18 +27,18 @@ std::vector<Reading> all_readings(const OverlayFacts& facts) {
   const auto in_contact = [&](double value, int digits, const char* unit) {
     return touching ? number_with_unit(value, digits, unit) : std::string("-");
   };
-  const std::string walls = row.walls > 1 ? fmt::format(" on {} walls", row.walls) : "";
   std::vector<Reading> readings = {
       {"time", number_with_unit(row.t_s, 3, "s")},
       {"phase", std::string(phase_name(row.phase))},
       {"depth", in_contact(row.depth_m * 1e3, 3, "mm")},
-      {"normal force", in_contact(row.normal_force_n, 3, "N") + walls},
+      {"normal force", in_contact(row.normal_force_n, 3, "N")},
       {"friction", in_contact(row.friction_W_n.norm(), 3, "N")},
       {"mu", in_contact(row.mu, 3, "")},
       // In touch along the part, as the chart draws it; else the finger's own, which it does not.
       {touching ? "speed" : "speed in air", number_with_unit(facts.speed_m_per_s * 1e3, 1, "mm/s")},
       {"finger angle", in_contact(row.inclination_rad * 180 / std::numbers::pi, 1, "deg")},
       {"on", touching ? facts.surface_name : std::string("-")},
+      {"walls", touching ? fmt::format("{}", row.walls) : std::string("-")},
   };
   if (!facts.brief) {
     readings.insert(readings.end(), facts.readings.begin(), facts.readings.end());

@@ -40,7 +40,7 @@ std::string thinned_words(const ViewInput& input) {
 std::string subtitle_of(const ViewInput& input, const char* tail) {
   std::string words;
   if (input.scene) {
-    words = fmt::format("{}, {} ticks a second", input.scene->friction.law,
+    words = fmt::format("friction: {}, {} ticks a second", input.scene->friction.law,
                         static_cast<long>(std::lround(input.scene->motion.rate_hz)));
   }
   if (const std::string thinned = thinned_words(input); !thinned.empty())
@@ -55,8 +55,9 @@ std::string axes_words(const ViewInput& input, const Vec3& direction_W) {
     words = fmt::format("s is the way along ({}, {}, {})", fixed_text(direction_W.x(), 2),
                         fixed_text(direction_W.y(), 2), fixed_text(direction_W.z(), 2));
   if (std::any_of(input.rows.begin(), input.rows.end(), [](const TickRecord& row) { return row.walls > 1; }))
-    words += fmt::format("{}where several walls hold the finger, forces are the sum over them",
-                         words.empty() ? "" : "; ");
+    words += fmt::format(
+        "{}where several walls hold the finger, its normal force is all of theirs added up, no resultant",
+        words.empty() ? "" : "; ");
   return words;
 }
 

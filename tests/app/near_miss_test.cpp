@@ -104,6 +104,20 @@ TEST(NearMiss, OfAFileThatASceneNamesIsToldFromItsFolder) {
   EXPECT_THAT(result.err, HasSubstr("meshes/bracket.stl?"));
 }
 
+TEST(NearMiss, HelpOnAMisspelledSubcommandIsToldSo) {
+  const auto result = test::fingerpad("help merg", test::scratch_dir());
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, HasSubstr("there is no subcommand 'merg'; did you mean 'merge'?"));
+}
+
+TEST(NearMiss, OfFilesThatDifferInTheirNumbersAloneNoneIsNamed) {
+  const fs::path folder = test::scratch_dir();
+  test::write_file(folder, "subject_01.stl", "solid part\nendsolid part\n");
+  fs::create_directory(folder / "partt.stl");
+  for (const char* call : {"check subject_02.stl", "check part.stl"})
+    EXPECT_THAT(test::fingerpad(call, folder).err, testing::EndsWith("there is no such file\n")) << call;
+}
+
 TEST(NearMiss, HelpIsAlsoASubcommand) {
   for (const char* name : {"", " merge"}) {
     const auto asked = test::fingerpad("help" + std::string(name), test::scratch_dir());
