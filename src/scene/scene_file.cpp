@@ -102,9 +102,11 @@ bool is_missing(const std::string& path) {
 
 /// The scene file that a misspelled path may mean; "" if none is like it.
 std::string near_scene_file(const fs::path& path) {
-  const fs::path ended = fs::path(path).concat(".toml");
+  const fs::path turned = fs::path(path).replace_extension(".toml");
   std::error_code ignored;
-  return (fs::exists(ended, ignored) ? ended : near_file(fs::path(path).replace_extension(".toml"))).string();
+  for (const fs::path& ended : {fs::path(path).concat(".toml"), turned})
+    if (fs::exists(ended, ignored)) return ended.string();
+  return near_file(turned).string();
 }
 
 constexpr const char* what_a_scene_is =

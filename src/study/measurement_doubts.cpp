@@ -38,14 +38,14 @@ void refuse_doubtful(const RecordedMeasurement& recorded, const MeasurementForma
 
 std::vector<std::string> doubts_of(const RecordedMeasurement& recorded, const MeasurementFormat& format) {
   std::vector<std::string> told;
-  bool is_refused = false;
+  bool refuses_times = false;
   each_file(recorded, [&](FileTrials own) {
     for (const UnitDoubt& doubt : unit_doubts(own, with_told(recorded, own.front().file, format))) {
-      is_refused = is_refused || doubt.is_refused;
+      refuses_times = refuses_times || (doubt.is_refused && doubt.is_of_times);
       if (!doubt.is_refused) told.push_back(fmt::format("{}: {}", own.front().file, doubt.words));
     }
   });
-  if (is_refused) return told;  // what trials look like in a wrong unit says nothing
+  if (refuses_times) return told;  // by wrong times no trial's friction says anything
   const std::vector<std::string> odd = odd_trial_doubts(recorded.trials);
   told.insert(told.end(), odd.begin(), odd.end());
   return told;

@@ -20,9 +20,11 @@ void doubt_times(FileTrials trials, const MeasurementFormat& format, std::vector
   if (rate_hz >= slowest_hz && rate_hz <= fastest_hz) return;
   if (!format.says_time_unit && !(rate_hz >= slowest_hz && rate_hz <= refused_hz)) {
     doubts.push_back(
-        {true, fmt::format("taken as seconds, its times give {} samples a second: say --time-unit ms (or "
-                           "us), or --time-unit s if they are seconds",
-                           rounded_text(rate_hz, 3))});
+        {true,
+         fmt::format("taken as seconds, its times give {} samples a second: say --time-unit ms (or "
+                     "us), or --time-unit s if they are seconds",
+                     rounded_text(rate_hz, 3)),
+         true});
     return;
   }
   doubts.push_back({false, fmt::format("its times give {} samples a second, at which no finger is "

@@ -12,6 +12,7 @@ namespace fingerpad {
 struct UnitDoubt {
   bool is_refused = false;  ///< and its unit was not said
   std::string words;
+  bool is_of_times = false;
 };
 
 /// Of times, torques, positions and forces, in that order.

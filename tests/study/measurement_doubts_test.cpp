@@ -140,6 +140,15 @@ TEST(MeasurementDoubts, AMirroredAxisIsNamed) {
               AllOf(HasSubstr("along x alone"), HasSubstr("turn that column's sign")));
 }
 
+TEST(MeasurementDoubts, WhatWrongTimesMakeOfTrialsIsNotTold) {
+  RecordedMeasurement recorded =
+      test::known_measurement({rubs[0], rubs[1], rubs[0], rubs[1]}, {}, test::bad_sensors(), 1);
+  recorded.trials[2].force_W.topRows(2) *= -1;
+  EXPECT_THAT(doubts_of(recorded, {}), testing::Contains(HasSubstr("trial 3")));
+  for (RecordedTrial& trial : recorded.trials) trial.rate_hz /= 1000;
+  EXPECT_THAT(doubts_of(recorded, {}), testing::Not(testing::Contains(HasSubstr("trial 3"))));
+}
+
 TEST(MeasurementDoubts, AFingerInTheAirUnderASensorsOffsetIsNotMirrored) {
   // It comes down along both axes, forwards, at the trial's end: the offset does work along y.
   const auto mostly_airborne = [](RecordedTrial& trial, Eigen::Index pressed) {
