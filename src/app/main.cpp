@@ -69,7 +69,10 @@ std::string unknown_option(const CLI::App& program, int argc, char** argv) {
     if (word == "--") break;  // what follows is no option
     const std::string name(word.substr(0, word.find('=')));
     if (!name.starts_with("--") || std::find(names.begin(), names.end(), name) != names.end()) continue;
-    const std::string hint = fingerpad::near_miss_hint(name, names);
+    std::string hint = fingerpad::near_miss_hint(name, names);
+    // What other subcommands write by --out a window writes by this.
+    const bool has_png = std::find(names.begin(), names.end(), "--png") != names.end();
+    if (has_png && (name == "--out" || name == "--output")) hint = "; did you mean '--png'?";
     const std::string there = fmt::format("; {} has {}", command.get_name(), fingerpad::word_list(names));
     return fmt::format("there is no option '{}'{}", fingerpad::printable(name, 60),
                        hint.empty() ? there : hint);

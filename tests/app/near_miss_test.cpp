@@ -93,6 +93,14 @@ TEST(NearMiss, OfAKeyWithoutItsUnitIsTold) {
   EXPECT_THAT(result.err, HasSubstr("a scene has no key 'stifness'; did you mean 'stiffness_n_per_m'?"));
 }
 
+#ifdef FINGERPAD_VIEW
+TEST(NearMiss, AWindowsPictureIsAskedForByAnotherOption) {
+  const auto result = test::fingerpad("view --out x.png s.toml", test::scratch_dir());
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, HasSubstr("there is no option '--out'; did you mean '--png'?"));
+}
+#endif
+
 TEST(NearMiss, OfAFileThatASceneNamesIsToldFromItsFolder) {
   const fs::path folder = test::scratch_dir();
   fs::create_directory(folder / "meshes");
