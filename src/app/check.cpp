@@ -78,6 +78,15 @@ struct CheckedMesh {
   double metres_per_unit = 1;
 };
 
+/// What an overlap comes from, and what to do.
+const char* overlap_words(const PartMeasures& measures, int components) {
+  if (measures.open_edges > 0 || measures.contradicting_edges > 0)
+    return "that may come from its holes or its winding, which are to be mended first";
+  return components > 1 ? "its bodies lie in one another, and are felt as one solid; join them in CAD if "
+                          "that is not meant"
+                        : "its surface passes through itself; mend it in CAD if that is not meant";
+}
+
 CheckedMesh checked(const std::string& path, ImportOptions how) {
   LoadBar bar(stderr_is_terminal());
   const LoadProgress progress = bar.progress(path);
@@ -92,17 +101,12 @@ CheckedMesh checked(const std::string& path, ImportOptions how) {
   tell(progress, "measuring its walls", 0.85);
   const PartMeasures measures = measure_part(*mesh.imported.part, *mesh.tree);
   mesh.wall_m = told_wall_m(*mesh.imported.part, measures);
-  // In a mesh that is open or wound both ways that says no more than its own warnings.
-  const bool is_closed = measures.open_edges == 0 && measures.contradicting_edges == 0;
-  if (measures.overlap_count > 0 && is_closed)
+  if (measures.overlap_count > 0)
     mesh.imported.verdict.warnings.push_back(
         fmt::format("overlapping: at {} of {} places looked at something else of the part begins before the "
                     "wall ends: {}",
                     measures.overlap_count, measures.ray_count,
-                    mesh.imported.verdict.components > 1
-                        ? "its bodies lie in one another, and are felt as one solid; join them in CAD if "
-                          "that is not meant"
-                        : "its surface passes through itself; mend it in CAD if that is not meant"));
+                    overlap_words(measures, mesh.imported.verdict.components)));
   return mesh;
 }
 

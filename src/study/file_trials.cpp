@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "motion/pressed_force.hpp"
-#include "study/sample_noise.hpp"
 #include "study/six_axis_sensor.hpp"
 
 namespace fingerpad {
@@ -18,17 +17,6 @@ Eigen::RowVectorXd along_normal_n(const RecordedTrial& trial) {
 double pressing_n(const RecordedTrial& trial) {
   const Eigen::RowVectorXd along_n = along_normal_n(trial);
   return pressed_median_n({along_n.data(), static_cast<std::size_t>(along_n.size())});
-}
-
-bool stands_out(const RecordedTrial& trial, double force_n) {
-  constexpr double beyond_noise = 20;
-  const Eigen::RowVectorXd along_n = along_normal_n(trial);
-  return std::abs(force_n) >
-         beyond_noise * sample_noise({along_n.data(), static_cast<std::size_t>(along_n.size())});
-}
-
-bool presses(const RecordedTrial& trial) {
-  return stands_out(trial, pressing_n(trial));
 }
 
 double extent_m(const RecordedTrial& trial) {

@@ -19,8 +19,17 @@ namespace {
 /// Of fewer trials none is odd.
 constexpr std::size_t fewest_in_file = 3;
 
-/// A finger goes somewhere where its places reach over more than so many times their noise.
+/// Forces stand out of their noise from so many times that on: else nothing pressed, which is told otherwise.
 constexpr double beyond_noise = 20;
+
+double noise_n(const RecordedTrial& trial) {
+  const Eigen::RowVectorXd along_n = along_normal_n(trial);
+  return sample_noise({along_n.data(), static_cast<std::size_t>(along_n.size())});
+}
+
+bool presses(const RecordedTrial& trial) {
+  return std::abs(pressing_n(trial)) > beyond_noise * noise_n(trial);
+}
 
 /// Of a component of positions.
 double place_noise_m(const RecordedTrial& trial) {
@@ -51,7 +60,7 @@ bool presses_the_other_way(const RecordedTrial& trial, double usual_n) {
   if (!(press_n * usual_n < 0) || !presses(trial)) return false;
   const bool has_air = std::abs(from_air_n) > no_offset * std::abs(press_n);
   if (!has_air) return std::abs(press_n) > no_offset * std::abs(usual_n);
-  return from_air_n * usual_n < 0 && stands_out(trial, from_air_n);
+  return from_air_n * usual_n < 0 && std::abs(from_air_n) > beyond_noise * noise_n(trial);
 }
 
 double work_share(const RecordedTrial& trial) {

@@ -11,6 +11,7 @@
 #include "base/error.hpp"
 #include "base/number_text.hpp"
 #include "motion/driving_share.hpp"
+#include "study/pad_axes.hpp"
 #include "study/six_axis_sensor.hpp"
 
 namespace fingerpad {
@@ -20,11 +21,10 @@ namespace {
 /// differ from those in the air. The others are no numbers: no friction acts on a finger in the air, and the
 /// sensor's offset would be taken for one.
 Points pressed_force_W(const RecordedTrial& trial) {
-  constexpr double least_press_n = 0.05;          // an offset may be as large
   constexpr double pressed = 0.5, in_air = 0.25;  // of the trial's press
   constexpr double least_air_s = 0.02;
   const double press_n = pressing_n(trial), none = std::numeric_limits<double>::quiet_NaN();
-  if (!(press_n > least_press_n)) return Points::Constant(3, trial.samples(), none);
+  if (!(press_n > least_normal_force_n)) return Points::Constant(3, trial.samples(), none);
   const Eigen::RowVectorXd along_n = along_normal_n(trial);
   Vec3 air_W = Vec3::Zero();
   double air_count = 0;
