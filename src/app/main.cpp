@@ -45,15 +45,17 @@ int report(const char* what, int code) {
   return code;
 }
 
-/// "there is no subcommand 'repaly'; did you mean 'replay'?", or nothing where the first word is one.
+/// "there is no subcommand 'repaly'; did you mean 'replay'?", or which there are; nothing where the first
+/// word is one.
 std::string unknown_subcommand(const CLI::App& program, int argc, char** argv) {
   std::vector<std::string> names;
   for (const CLI::App* command : program.get_subcommands(nullptr)) names.push_back(command->get_name());
   const auto* const end = argv + argc;
   const auto* const word = std::find_if(argv + 1, argv + argc, [](const char* arg) { return arg[0] != '-'; });
   if (word == end || std::find(names.begin(), names.end(), *word) != names.end()) return {};
-  return fmt::format("there is no subcommand '{}'{}; there are {}", fingerpad::printable(*word, 60),
-                     fingerpad::near_miss_hint(*word, names), fingerpad::word_list(names));
+  const std::string hint = fingerpad::near_miss_hint(*word, names);
+  return fmt::format("there is no subcommand '{}'{}", fingerpad::printable(*word, 60),
+                     hint.empty() ? "; there are " + fingerpad::word_list(names) : hint);
 }
 
 /// "there is no option '--colums'; did you mean '--columns'?", or which there are; nothing where the

@@ -17,6 +17,7 @@
 #include "base/count_words.hpp"
 #include "base/error.hpp"
 #include "base/file_identity.hpp"
+#include "base/near_file.hpp"
 #include "base/output_place.hpp"
 #include "trace/output_file.hpp"
 #include "trace/trace.hpp"
@@ -140,8 +141,12 @@ std::size_t add_runs(const ReportOptions& options, const BatchResults& batch,
 
 int report(const ReportOptions& options) {
   std::error_code none;
-  if (!fs::is_directory(options.folder, none))
-    throw refused(options.folder, "is no folder: name the one that `fingerpad replay --out` wrote");
+  if (!fs::is_directory(options.folder, none)) {
+    const fs::path near = near_folder(options.folder);
+    throw refused(options.folder, near.empty()
+                                      ? "is no folder: name the one that `fingerpad replay --out` wrote"
+                                      : fmt::format("is no folder; did you mean {}?", near.string()));
+  }
   const std::string out =
       options.out.empty() ? (fs::path(options.folder) / "report.html").string() : options.out;
   refuse_unwritable(out);

@@ -27,6 +27,19 @@ fs::path nearest_there(fs::path path) {
   return path;
 }
 
+/// Of a path whose folder is not there: which one is, and which one may be meant. What is to be written there
+/// need not be there.
+std::string missing_folder_words(const fs::path& path) {
+  std::error_code ignored;
+  const fs::path folder = path.parent_path(), there = nearest_there(folder), near = near_folder(folder);
+  std::string words = fmt::format("its folder {} is not there", folder.string());
+  if (!there.empty()) words += fmt::format(" (only {} is)", there.string());
+  if (near.empty()) return words;
+  const fs::path moved = near / path.filename();
+  if (fs::exists(moved, ignored)) return words + fmt::format("; did you mean {}?", moved.string());
+  return words + fmt::format("; did you mean the folder {}?", near.string());
+}
+
 /// @param what  "file", "folder"
 std::string missing_words(const fs::path& path, const char* what) {
   std::error_code ignored;
@@ -34,15 +47,11 @@ std::string missing_words(const fs::path& path, const char* what) {
     return fmt::format("is a link to {}, which is not there", fs::read_symlink(path, ignored).string());
   }
   const fs::path folder = path.parent_path();
-  if (folder.empty() || fs::exists(folder, ignored)) {
-    const bool is_file = std::string_view(what) == "file";
-    const fs::path near = is_file && path.has_extension() ? near_file(path) : fs::path();
-    return fmt::format("there is no such {}{}", what,
-                       near.empty() ? "" : fmt::format("; did you mean {}?", near.string()));
-  }
-  const fs::path there = nearest_there(folder);
-  return fmt::format("there is no such {}: its folder {} is not there{}", what, folder.string(),
-                     there.empty() ? "" : fmt::format(" (only {} is)", there.string()));
+  if (!folder.empty() && !fs::exists(folder, ignored))
+    return fmt::format("there is no such {}: {}", what, missing_folder_words(path));
+  const fs::path near = std::string_view(what) == "file" ? near_file(path) : near_folder(path);
+  return fmt::format("there is no such {}{}", what,
+                     near.empty() ? "" : fmt::format("; did you mean {}?", near.string()));
 }
 
 std::string not_a_folder_words(const fs::path& path) {

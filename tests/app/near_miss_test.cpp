@@ -126,6 +126,28 @@ TEST(NearMiss, OfFilesThatDifferInTheirNumbersAloneNoneIsNamed) {
     EXPECT_THAT(test::fingerpad(call, folder).err, testing::EndsWith("there is no such file\n")) << call;
 }
 
+TEST(NearMiss, OfAnEndingACaseOrAFolderIsTold) {
+  const fs::path folder = folder_with_scenes();
+  test::write_file(folder / "scenes", "knob.stl", "solid part\nendsolid part\n");
+  for (const auto& [call, meant] :
+       {std::pair("check scenes/knob.STL", "such file; did you mean scenes/knob.stl?"),
+        {"check scenes/Knob.stl", "such file; did you mean scenes/knob.stl?"},
+        {"export scenes/sweep.tml --out x.csv", "such file; did you mean scenes/sweep.toml?"},
+        {"replay scene/sweep.toml --out o", "; did you mean scenes/sweep.toml?"},
+        {"replay scene/swep.toml --out o", "; did you mean the folder scenes?"},
+        {"compare scens scenes", "such folder; did you mean scenes?"}})
+    EXPECT_THAT(test::fingerpad(call, folder).err, HasSubstr(meant)) << call;
+}
+
+TEST(NearMiss, OfASubcommandIsOneQuestion) {
+  const auto near = test::fingerpad("repaly", test::scratch_dir());
+  EXPECT_EQ(near.err,
+            "fingerpad: error: there is no subcommand 'repaly'; did you mean 'replay'?\n"
+            "Run with --help for the options.\n");
+  const auto unlike = test::fingerpad("xyzzy", test::scratch_dir());
+  EXPECT_THAT(unlike.err, HasSubstr("there is no subcommand 'xyzzy'; there are check, query"));
+}
+
 TEST(NearMiss, HelpIsAlsoASubcommand) {
   for (const char* name : {"", " merge"}) {
     const auto asked = test::fingerpad("help" + std::string(name), test::scratch_dir());
