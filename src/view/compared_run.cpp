@@ -17,6 +17,7 @@
 #include "trace/trace_folder.hpp"
 #include "view/left_out_ticks.hpp"
 #include "view/run_title.hpp"
+#include "view/several_walls.hpp"
 #include "view/touch_series.hpp"
 
 namespace fingerpad {
@@ -112,6 +113,7 @@ ComparedRun of_trace(const std::string& path, Over over, double from_s, double t
   refuse_standstill(run.x, over, path);
   run.t_s = abscissa(trace.rows, Over::time);
   run.lacks_ticks = lacks_ticks;
+  run.several_walls = any_held_by_several_walls(trace.rows);
   run.every = every;
   run.ends_early = std::move(ends_early);
   run.lasts_s = lasts_s;

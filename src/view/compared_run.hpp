@@ -30,6 +30,7 @@ struct ComparedRun {
   std::vector<double> t_s = {};  ///< of a trace: when each tick was
   bool x_by_fewer = false;       ///< its way is told as a trace of fewer ticks tells it
   bool lacks_ticks = false;      ///< of its ticks some were left out, as far as its trace tells
+  bool several_walls = false;    ///< hold the finger at some tick
   std::uint64_t every = 1;       ///< its rows are every so manieth tick, as its trace says
   std::string ends_early = {};   ///< early_end_words() of its trace
   double lasts_s = 0;            ///< the whole file, what is left out too

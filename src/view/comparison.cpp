@@ -1,4 +1,5 @@
 #include "view/comparison.hpp"
+#include "view/several_walls.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -232,6 +233,10 @@ Comparison compare_runs(std::vector<ComparedRun> runs, const std::vector<std::st
   if (std::find(comparison.columns.begin(), comparison.columns.end(), "friction") != comparison.columns.end())
     comparison.notes.push_back(
         "friction: along the sliding direction, negative where it holds the finger back");
+  const bool shows_normal_force = std::ranges::any_of(
+      comparison.columns, [](const std::string& name) { return name == "fn_n" || name == "mu"; });
+  if (shows_normal_force && std::ranges::any_of(runs, &ComparedRun::several_walls))
+    comparison.notes.emplace_back(several_walls_words);
   for (const ComparedRun& run : runs) {
     if (run.lacks_ticks) comparison.notes.push_back(left_out_words(run));
   }

@@ -112,6 +112,8 @@ ContactGlyphs close_up_glyphs(const ContactMoment& moment, const DrawSpace& spac
     const Vec3 centre = space.to_draw(moment.region->centre_W) + up;
     glyphs.solid.tube({centre, contact}, false, 0.09 * unit, ink.line);
     if (row.phase == Phase::stick) glyphs.solid.ball(centre, 0.35 * unit, ink.centre);
+  } else if (row.stick_centre_W.allFinite()) {
+    glyphs.solid.ball(space.to_draw(row.stick_centre_W) + up, 0.35 * unit, ink.centre);
   }
   glyphs.solid.ball(contact, 0.45 * unit, phase_colour(row.phase));
   if (limit_n > 0) {

@@ -13,6 +13,7 @@
 #include "view/chart_layout.hpp"
 #include "view/flat_picture.hpp"
 #include "view/overlay_words.hpp"
+#include "view/several_walls.hpp"
 #include "view/svg.hpp"
 #include "view/touch_chart.hpp"
 
@@ -48,16 +49,14 @@ std::string subtitle_of(const ViewInput& input, const char* tail) {
   return words;
 }
 
-/// What s is, where it is no axis, and what forces are where several walls hold the finger.
+/// What u is, where it is no axis, and what forces are where several walls hold the finger.
 std::string axes_words(const ViewInput& input, const Vec3& direction_W) {
   std::string words;
   if (direction_W.cwiseAbs().maxCoeff() < 0.99996192)
-    words = fmt::format("s is the way along ({}, {}, {})", fixed_text(direction_W.x(), 2),
+    words = fmt::format("u is the position along ({}, {}, {})", fixed_text(direction_W.x(), 2),
                         fixed_text(direction_W.y(), 2), fixed_text(direction_W.z(), 2));
-  if (std::any_of(input.rows.begin(), input.rows.end(), [](const TickRecord& row) { return row.walls > 1; }))
-    words += fmt::format(
-        "{}where several walls hold the finger, its normal force is all of theirs added up, no resultant",
-        words.empty() ? "" : "; ");
+  if (any_held_by_several_walls(input.rows))
+    words += fmt::format("{}{}", words.empty() ? "" : "; ", several_walls_words);
   return words;
 }
 

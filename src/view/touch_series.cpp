@@ -6,6 +6,9 @@
 namespace fingerpad {
 namespace {
 
+/// Not s, which is how far the finger has gone along the surface (Over::travel).
+constexpr const char* turned_direction_name = "u";
+
 const Vec3& place_of(const TickRecord& row) {
   return row.phase == Phase::free ? row.p_WQ : row.contact_W;
 }
@@ -16,7 +19,7 @@ std::string name_of(const Vec3& direction_W) {
   for (int axis = 0; axis < 3; ++axis) {
     if (direction_W[axis] > half_degree_cosine) return names[axis];
   }
-  return "s";
+  return turned_direction_name;
 }
 
 /// Whether the finger rubs along one line over a place where the surface does not turn, to half a degree.
@@ -135,7 +138,7 @@ TouchSeries touch_series(std::span<const TickRecord> rows, const Vec3& direction
   TouchSeries series;
   series.direction_W = direction_W;
   series.direction_name = name_of(direction_W);
-  const bool world_axis = series.direction_name != "s";
+  const bool world_axis = series.direction_name != turned_direction_name;
   const Vec3 origin = world_axis || rows.empty() ? Vec3::Zero() : place_of(rows.front());
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const TickRecord& row = rows[i];

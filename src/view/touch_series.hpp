@@ -12,7 +12,7 @@ namespace fingerpad {
 /// A touch against time, as the paper draws it: along the one direction in which the finger mostly rubbed.
 struct TouchSeries {
   Vec3 direction_W = Vec3::UnitX();  ///< unit
-  std::string direction_name;        ///< "x" where it is a world axis, to half a degree, else "s"
+  std::string direction_name;        ///< "x" where it is a world axis, to half a degree, else "u"
   std::vector<double> t_s;
   std::vector<double> position_m;     ///< along the direction: of the contact point, of the finger while free
   std::vector<double> centre_m;       ///< of the stick centre; nan unless sticking

@@ -48,6 +48,37 @@ TEST(Comparison, OfOtherRatesIsAtTheTicksOfTheCoarser) {
   EXPECT_THAT(residual_words(comparison), ElementsAre("fn_n: RMS 0.25 N, 'coarse' less 'fine', 7 ticks"));
 }
 
+TEST(Comparison, OfSeveralWallsSaysWhatTheirNormalForceIs) {
+  const ComparedRun first = line_run("a.h5", 0, 1, 0.1, 0);
+  ComparedRun other = first;
+  other.path = "b.h5";
+  other.several_walls = true;
+  const auto walls = testing::Contains(HasSubstr("its normal force is all of theirs added up"));
+  EXPECT_THAT(compare_runs({first, other}, {"fn_n"}, Over::time).notes, walls);
+  EXPECT_THAT(compare_runs({first, first}, {"fn_n"}, Over::time).notes, Not(walls));
+  other.columns[0].name = "fx_n";
+  ComparedRun third = other;
+  third.path = "c.h5";
+  EXPECT_THAT(compare_runs({other, third}, {"fx_n"}, Over::time).notes, Not(walls)) << "of none of it";
+}
+
+TEST(Comparison, OfASceneInACornerKnowsItsWalls) {
+  const auto folder = test::scratch_dir();
+  auto rows = test::torus_rub().rows;
+  const auto several = [&](const char* name) {
+    const std::string path = (folder / name).string();
+    TraceInfo info;
+    info.several_walls = true;
+    const auto writer = TraceWriter::create(path, TraceFormat::csv, info, World());
+    writer->append(rows);
+    writer->finish();
+    return read_compared_run(path, Over::time, -1, 1e9).several_walls;
+  };
+  EXPECT_FALSE(several("one.csv"));
+  rows[5].walls = 2;
+  EXPECT_TRUE(several("two.csv"));
+}
+
 TEST(Comparison, OfOneTickAloneTellsWhatIsLeftThereAndNoMean) {
   ComparedRun first = line_run("a.h5", 0, 1, 0.1, 0), other = line_run("b.h5", 0, 1, 0.1, -0.25);
   const auto keep_one = [](ComparedRun& run) {

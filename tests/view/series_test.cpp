@@ -40,7 +40,7 @@ TEST(TouchSeries, RunsAlongTheDirectionOfTheRub) {
   const Vec3 direction = main_direction(rows);
   EXPECT_NEAR((direction - along).norm(), 0, 1e-9);
   const TouchSeries series = touch_series(rows, direction);
-  EXPECT_EQ(series.direction_name, "s");
+  EXPECT_EQ(series.direction_name, "u");
   EXPECT_NEAR(series.position_m[250], 0.01, 1e-9);
   EXPECT_NEAR(series.friction_n[10], -0.2, 1e-12);
   EXPECT_TRUE(std::isnan(series.speed_m_per_s[0]));

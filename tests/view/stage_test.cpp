@@ -221,6 +221,18 @@ TEST(Stage, OfAnotherSizeIsLookedAtFromWhereItWas) {
   EXPECT_GT(from().dot(first), 1 - 1e-9);
 }
 
+TEST(CloseUp, ShowsTheStickCentreOfAFingerOnSeveralWallsToo) {
+  ContactMoment moment;
+  moment.row.phase = Phase::stick;
+  moment.row.contact_W = Vec3(0.01, 0, 0);
+  moment.row.normal_W = Vec3::UnitZ();
+  moment.row.walls = 2;  // of which it has no region
+  const auto points = [&] { return close_up_glyphs(moment, {}, 0, 1, {}).solid.points.size(); };
+  const auto contact_alone = points();
+  moment.row.stick_centre_W = Vec3(0.011, 0, 0);
+  EXPECT_EQ(points(), 2 * contact_alone) << "a ball each";
+}
+
 TEST(Finger, PressedThroughASmallPartStaysInSight) {
   ContactMoment moment;
   moment.row.phase = Phase::stick;
