@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -180,9 +181,16 @@ std::optional<Touched> touch_once(const TouchOptions& options, const Touched& to
   return dropped;
 }
 
+void refuse_folder(const std::string& subject) {
+  std::error_code none;
+  if (std::filesystem::is_directory(subject, none))
+    throw refused(subject, "is a folder, not a scene or a mesh: name a file in it");
+}
+
 int touch(const TouchOptions& options) {
   if (!options.record.empty() && options.record != "-")
     refuse_other_endings(options.record, "touch --record", {".h5", ".csv"});
+  refuse_folder(options.subject);
   refuse_unfit_subject(options.subject);
   if (options.headless && find_device(options.device)->needs_window) {
     throw Error(ErrorKind::usage, "--headless",

@@ -30,6 +30,11 @@ std::unique_ptr<LiveRecorder> start_recording(const std::string& path, const Sce
   if (path.empty()) return nullptr;
   const TraceFormat format = path.ends_with(".csv") ? TraceFormat::csv : TraceFormat::hdf5;
   refuse_overwriting(path, input_files(scene));
+  if (format == TraceFormat::csv)
+    print_err(
+        "fingerpad: {}: a CSV recording keeps neither the parts nor the scene, so that view shows its path "
+        "alone; --record with a name that ends in .h5 keeps them\n",
+        path);
   TraceInfo info = trace_info(scene, world, std::string(program_version));
   info.motion_file.clear();  // the person's, not the scene's
   info.motion_hash.clear();
@@ -64,7 +69,7 @@ void refuse_unrecordable(const std::string& path, const Scene& scene, bool force
                 fmt::format("{}; --force writes over it, or give --record another name", what));
   };
   refuse(path, "exists already");
-  refuse(path + ".part", "is of a recording by that name that was cut short");
+  refuse(path + ".part", "is of a recording by that name that was cut short or is still being written");
 }
 
 TickRecord as_recorded(TickRecord tick, const FingerSample& sample, const LiveDevice& device) noexcept {

@@ -242,7 +242,7 @@ Trace read_csv_trace(const std::string& path) {
   for (std::size_t k = 0; k < places.size(); ++k) {
     if (places[k] != cell_count) tell_of(trace_columns()[k], trace.info);
   }
-  if (path.ends_with(".part")) mark_cut(trace, "is of a recording that was cut short");
+  if (path.ends_with(".part")) mark_cut(trace, std::string(unfinished_words));
   read_changes(path, trace);
   std::vector<std::string_view> cells;
   while (lines.next(line)) {

@@ -253,7 +253,7 @@ void tell_trace(const std::string& path, TraceContents contents, Teller& tell) {
 Trace hear_trace(const std::string& path, TraceContents contents, Hearer& hear) {
   Trace trace;
   hear(trace.complete);
-  if (!trace.complete) trace.cut = "is of a recording that was cut short";
+  if (!trace.complete) trace.cut = unfinished_words;
   each_field_of_info(hear, trace.info);
   std::string changes;
   hear(changes);

@@ -42,7 +42,8 @@ LoadedMotion load_motion(const Scene& scene, MeshStore& meshes) {
   if (!settings.given()) {
     constexpr const char* why = "the scene has no motion to follow; give [motion] a 'file' or a 'kind'";
     if (!scene.path.empty()) throw refused(scene.path, why);
-    throw refused(scene.name, std::string(why) + " (a mesh by itself has none: name a scene)");
+    throw refused(scene.parts.empty() ? scene.name : scene.parts.front().mesh,
+                  std::string(why) + " (a mesh by itself has none: name a scene)");
   }
   if (settings.scripted) return at_chosen_rate(scene, scripted_motion(scene));
   if (settings.laid) return laid_at_chosen_rate(scene, meshes);

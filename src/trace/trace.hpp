@@ -76,6 +76,10 @@ enum class TraceContents { all, rows, some_rows };
 Trace read_trace(const std::string& path);
 Trace read_trace(const std::string& path, TraceContents contents);
 
+/// Of a recording that its writer has not finished: whether that is still at work is not told by the file.
+inline constexpr std::string_view unfinished_words =
+    "is of a recording that was cut short or is still being written";
+
 /// "ends within a row (line 12); read up to t = 0.01 s", behind the trace's name; empty of a complete one.
 std::string early_end_words(const Trace& trace);
 

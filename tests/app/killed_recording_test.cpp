@@ -190,8 +190,8 @@ TEST(ExistingTrace, ThatWasCutShortIsKeptUnlessForced) {
       "touch floor.toml --headless --device network --port 0 --seconds 0.05 --record t.csv";
   const auto refused = test::fingerpad(call, folder);
   EXPECT_EQ(refused.exit_code, 2);
-  EXPECT_THAT(refused.err,
-              HasSubstr("t.csv.part: is of a recording by that name that was cut short; --force"));
+  EXPECT_THAT(refused.err, HasSubstr("t.csv.part: is of a recording by that name that was cut short or is "
+                                     "still being written; --force"));
   EXPECT_EQ(test::bytes_of(folder / "t.csv.part"), "precious");
   EXPECT_EQ(test::fingerpad(call + " --force", folder).exit_code, 0);
   EXPECT_FALSE(fs::exists(folder / "t.csv.part"));

@@ -74,7 +74,27 @@ TEST(LiveDevices, AreRefusedBeforeAMeshIsLoaded) {
   EXPECT_THAT(told("network --bind tea", 2), HasSubstr("--bind tea: is no address"));
   EXPECT_THAT(told("keyboard", 2), HasSubstr("is no terminal of this program's"));
   EXPECT_THAT(told("haply --port 1", 2), HasSubstr("start Haply's Inverse Service"));
-  EXPECT_THAT(told("recorded", 3), HasSubstr("the scene has no motion to follow"));
+  EXPECT_THAT(told("recorded", 3), HasSubstr("part.stl: the scene has no motion to follow"));
+}
+
+TEST(LiveDevices, AFolderIsNothingToTouch) {
+  const fs::path folder = test::scratch_dir();
+  fs::create_directory(folder / "d");
+  const auto told = test::fingerpad("touch d --headless --device recorded", folder);
+  EXPECT_EQ(told.exit_code, 3);
+  EXPECT_EQ(told.err, "fingerpad: error: d: is a folder, not a scene or a mesh: name a file in it\n");
+}
+
+TEST(LiveDevices, ARecordingAsCsvSaysWhatItDoesNotKeep) {
+  const fs::path folder = test::scratch_dir();
+  test::write_file(
+      folder, "floor.toml",
+      std::string(live_floor) +
+          "[motion]\nkind = \"line\"\nfrom_m = [0, 0, 0]\nto_m = [0.001, 0, 0]\nspeed_m_per_s = 1\n");
+  const std::string touch = "touch floor.toml --headless --device recorded --record t.";
+  EXPECT_THAT(test::fingerpad(touch + "csv", folder).err,
+              HasSubstr("fingerpad: t.csv: a CSV recording keeps neither the parts nor the scene"));
+  EXPECT_THAT(test::fingerpad(touch + "h5", folder).err, testing::Not(HasSubstr("keeps neither")));
 }
 
 TEST(LiveDevices, AreRefusedAfterAFaultOfTheScene) {

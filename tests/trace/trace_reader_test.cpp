@@ -87,7 +87,8 @@ TEST(TraceReader, InATraceCutShortTheShortestColumnCounts) {
   const Trace trace = read_trace(path.string());
   EXPECT_FALSE(trace.complete);
   EXPECT_EQ(trace.rows.size(), 60u);
-  EXPECT_EQ(early_end_words(trace), "is of a recording that was cut short; read up to t = 0.059 s");
+  EXPECT_EQ(early_end_words(trace),
+            "is of a recording that was cut short or is still being written; read up to t = 0.059 s");
 }
 
 TEST(TraceReader, RefusesAbsurdLengthsBeforeTakingMemory) {
@@ -146,8 +147,9 @@ TEST(TraceReader, OfACsvCutShortTheLastRowIsLeftOutWhateverItsName) {
       const Trace trace = read_trace((folder / name).string());
       EXPECT_EQ(trace.rows.size(), 2u) << name;
       EXPECT_FALSE(trace.complete) << name;
-      const std::string part =
-          std::string(name) == "kept.csv" ? "" : "is of a recording that was cut short, and ";
+      const std::string part = std::string(name) == "kept.csv"
+                                   ? ""
+                                   : "is of a recording that was cut short or is still being written, and ";
       EXPECT_EQ(early_end_words(trace), part + "ends within a row (line 4); read up to t = 0.001 s");
     }
   }
@@ -157,7 +159,7 @@ TEST(TraceReader, OfACsvCutShortTheLastRowIsLeftOutWhateverItsName) {
       testing::EndsWith("header.csv: ends within its header (line 1): no row of it is left; make it again"));
   write_text(folder / "t.csv.part", whole);
   EXPECT_EQ(early_end_words(read_trace((folder / "t.csv.part").string())),
-            "is of a recording that was cut short; read up to t = 0.002 s");
+            "is of a recording that was cut short or is still being written; read up to t = 0.002 s");
   EXPECT_EQ(early_end_words(read_trace((folder / "t.csv").string())), "");
 }
 
