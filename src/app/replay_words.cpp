@@ -1,9 +1,12 @@
 #include "app/replay_words.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
+#include <set>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -138,6 +141,38 @@ void tell_hard_presses(const std::vector<BatchJob>& jobs) {
       rounded_text(most.felt_n, 3), rounded_text(most.asked_n, 3), jobs_words(hard, jobs));
 }
 
+/// "bracket, knob and 3 more: ".
+std::string scenes_start(const std::vector<std::string_view>& names) {
+  constexpr std::size_t most = 3;
+  const auto named = std::span(names).first(std::min(names.size(), most));
+  const std::string more = names.size() > most ? fmt::format(" and {} more", names.size() - most) : "";
+  return fmt::format("{}{}: ", fmt::join(named, ", "), more);
+}
+
+/// The contact reasons of each job. They begin with the mesh, which scenes may share: of several scenes each
+/// begins with those that it is of.
+std::vector<std::vector<std::string>> reasons_by_scene(const std::vector<BatchJob>& jobs) {
+  std::map<std::string_view, std::vector<std::string_view>> scenes_of;
+  std::set<std::string_view> scenes;
+  for (const BatchJob& job : jobs) {
+    const std::string_view name = job.job.scene.name;
+    scenes.insert(name);
+    for (const std::string& reason : job.contact_reasons) {
+      std::vector<std::string_view>& names = scenes_of[reason];
+      if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+    }
+  }
+  std::vector<std::vector<std::string>> reasons;
+  reasons.reserve(jobs.size());
+  for (const BatchJob& job : jobs) {
+    std::vector<std::string>& own = reasons.emplace_back(job.contact_reasons);
+    if (scenes.size() < 2) continue;
+    for (std::size_t i = 0; i < own.size(); ++i)
+      own[i] = scenes_start(scenes_of[job.contact_reasons[i]]) + own[i];
+  }
+  return reasons;
+}
+
 /// Of all jobs those of this shard.
 long meant_jobs(const std::vector<BatchJob>& jobs) {
   return std::count_if(jobs.begin(), jobs.end(),
@@ -175,8 +210,10 @@ void tell_doubts(const std::vector<BatchJob>& jobs) {
 
 void tell_choices(const std::vector<BatchJob>& jobs) {
   DistinctLines told("fingerpad: ");
-  for (const BatchJob& job : jobs) {
-    for (const auto* lines : {&job.motion_notes, &job.contact_reasons}) told.add(*lines);
+  const std::vector<std::vector<std::string>> reasons = reasons_by_scene(jobs);
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    told.add(jobs[i].motion_notes);
+    told.add(reasons[i]);
   }
   if (told.left_out() > 0)
     print_err("fingerpad: and {} more such lines; each trace keeps its own\n", told.left_out());

@@ -162,6 +162,18 @@ TEST(Program, TellsWhatItChoseForAPartAndWhyOnceAndNotWhenQuiet) {
   EXPECT_EQ(given.find("(auto)"), std::string::npos) << "the scene's own words: " << given;
 }
 
+TEST(Program, OfSeveralScenesOverOneMeshTellsWhoseChoiceItWas) {
+  const fs::path folder = folder_with_cube();
+  for (const char* name : {"one", "two", "hard"})
+    std::ofstream(folder / (std::string(name) + ".toml"))
+        << "name = \"" << name << "\"\n"
+        << std::string(cube_scene).substr(std::string("name = \"cube\"\n").size())
+        << (std::string(name) == "hard" ? "[contact]\ngreatest_force_n = 20\n" : "");
+  const std::string told = test::fingerpad("replay one.toml two.toml hard.toml --out h", folder).err;
+  EXPECT_NE(told.find("fingerpad: one, two: cube.off: proxy, because"), std::string::npos) << told;
+  EXPECT_NE(told.find("fingerpad: hard: cube.off: proxy, because"), std::string::npos) << told;
+}
+
 TEST(Program, OnOneProcessorStartsItsThreadsWithoutAWarning) {
   const fs::path folder = test::scratch_dir();
   std::ofstream(folder / "calm.toml") << test::calm_scene("calm") << "[[set]]\nseed = [1, 2, 3, 4]\n";
