@@ -12,6 +12,7 @@
 #include "app/progress_bar.hpp"
 #include "app/standard_streams.hpp"
 #include "app/unit_option.hpp"
+#include "base/count_words.hpp"
 #include "base/error.hpp"
 #include "base/number_text.hpp"
 #include "base/printable_text.hpp"
@@ -178,6 +179,9 @@ bool check_scene(const std::string& path, bool as_json, Json& report) {
     surface.p_WP = entry.position_m;
     surface.R_WP = entry.rotation;
   }
+  if (scene.parts.empty() && !as_json)
+    print_out("{}: can be touched\n  {} and no mesh: there is none to look at\n", path,
+              count_words(scene.planes.size(), "plane"));
   if (!all_touchable) return false;
   std::span<Json> parts;
   if (as_json) parts = std::span(report.get_ref<Json::array_t&>()).last(scene.parts.size());

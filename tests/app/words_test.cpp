@@ -112,6 +112,15 @@ TEST(Words, OfACheckedSceneNameBodiesThatOverlap) {
   EXPECT_FALSE(parts[2].contains("overlaps")) << "a mesh alone";
 }
 
+TEST(Words, OfACheckedSceneWithoutAMeshSayWhatItHas) {
+  const fs::path folder = test::scratch_dir();
+  test::write_file(folder, "floor.toml", "[[plane]]\npoint_m = [0, 0, 0]\nnormal = [0, 0, 1]\n");
+  const ShellResult told = run("check floor.toml", folder);
+  EXPECT_EQ(told.exit_code, 0) << told.err;
+  EXPECT_EQ(told.out, "floor.toml: can be touched\n  1 plane and no mesh: there is none to look at\n");
+  EXPECT_EQ(run("check floor.toml --json", folder).out, "[]\n");
+}
+
 TEST(Words, OfACheckedSceneThatIsRefusedLetTheOthersBeTold) {
   const fs::path folder = folder_with_inputs();
   std::ofstream(folder / "s.toml") << "[[part]]\nmesh = \"box.stl\"\n[[set]]\n"
