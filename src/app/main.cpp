@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -12,6 +13,7 @@
 #include "app/help_format.hpp"
 #include "app/manual.hpp"
 #include "app/number_option.hpp"
+#include "app/option_words.hpp"
 #include "app/standard_streams.hpp"
 #include "app/version_words.hpp"
 #include "base/error.hpp"
@@ -82,6 +84,24 @@ std::string unknown_option(const CLI::App& program, int argc, char** argv) {
   return {};
 }
 
+/// "touch takes one SUBJECT: 'motions' is one too many"; "" where nothing is left over.
+std::string one_too_many(const CLI::App& program) {
+  const std::vector<std::string> extras = program.remaining(true);
+  if (program.get_subcommands().empty() || extras.empty()) return {};
+  const CLI::App& command = *program.get_subcommands().front();
+  std::vector<std::string> takes;
+  for (const CLI::Option* option : fingerpad::shown_options(command, true))
+    takes.push_back("one " + option->get_name());
+  const std::string words =
+      fmt::format("{} takes {}: '{}' is one too many", command.get_name(),
+                  takes.empty() ? "options alone" : fmt::format("{}", fmt::join(takes, " and ")),
+                  fingerpad::printable(extras.front(), 60));
+  const bool is_touch = command.get_name() == "touch";
+  return is_touch
+             ? words + "; the recording that --device recorded follows is named in the scene ([motion] file)"
+             : words;
+}
+
 /// What is told of a command line that is not understood: a word that is spelled wrong before what is missing
 /// for it.
 std::string words_of(const CLI::ParseError& error, const CLI::App& program, int argc, char** argv) {
@@ -93,7 +113,9 @@ std::string words_of(const CLI::ParseError& error, const CLI::App& program, int 
   const bool may_be_unknown = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr ||
                               dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
   const std::string option = may_be_unknown ? unknown_option(program, argc, argv) : "";
-  return option.empty() ? error.what() : option;
+  if (!option.empty()) return option;
+  const std::string extra = dynamic_cast<const CLI::ExtrasError*>(&error) ? one_too_many(program) : "";
+  return extra.empty() ? error.what() : extra;
 }
 
 int run(int argc, char** argv) {

@@ -41,8 +41,8 @@ std::string in_lower_case(std::string word) {
 std::string same_or_near(const std::string& asked, const std::vector<std::string>& words) {
   constexpr std::size_t fewest_letters = 3;  // of fewer one letter is half of the word
   if (std::ranges::find(words, asked) != words.end()) return asked;
-  std::vector<std::string> lowered;
-  for (const std::string& word : words) lowered.push_back(in_lower_case(word));
+  std::vector<std::string> lowered(words.size());
+  std::ranges::transform(words, lowered.begin(), in_lower_case);
   auto found = std::ranges::find(lowered, in_lower_case(asked));
   if (found == lowered.end() && asked.size() >= fewest_letters)
     found = std::ranges::find(lowered, nearest_word(in_lower_case(asked), lowered));

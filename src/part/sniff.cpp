@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "base/input_file.hpp"
+#include "base/nearest_word.hpp"
 #include "part/mesh_format.hpp"
 #include "part/text_cursor.hpp"
 
@@ -87,6 +88,12 @@ std::string read_formats() {
   return mesh_format_names("and") + " are read";
 }
 
+/// What a scene is to be called, behind an ending that may be meant for its own.
+std::string scene_hint(const std::string& ending) {
+  if (same_word(ending, ".toml")) return "; a scene's ends in .toml, in small letters";
+  return nearest_word(ending, {".toml"}).empty() ? "" : "; a scene's ends in .toml";
+}
+
 void refuse_step(const std::string& ending, std::string_view bytes) {
   const bool named = same_word(ending, ".stp") || same_word(ending, ".step") || same_word(ending, ".p21");
   if (bytes.substr(0, 12) == "ISO-10303-21") {
@@ -125,7 +132,8 @@ const MeshFormat& mesh_format(const std::string& path, std::string_view bytes) {
   }
   if (named == nullptr && stream)
     throw refused("", "is no mesh that its first words tell: " + read_formats());
-  if (named == nullptr) throw refused("", "its name ends in '" + shown(ending) + "': " + read_formats());
+  if (named == nullptr)
+    throw refused("", "its name ends in '" + shown(ending) + "': " + read_formats() + scene_hint(ending));
   return *named;
 }
 

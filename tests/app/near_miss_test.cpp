@@ -139,6 +139,30 @@ TEST(NearMiss, OfAnEndingACaseOrAFolderIsTold) {
     EXPECT_THAT(test::fingerpad(call, folder).err, HasSubstr(meant)) << call;
 }
 
+TEST(NearMiss, OfASceneWhoseNameEndsInAnotherWaySaysHowItIsToEnd) {
+  const fs::path folder = test::scratch_dir();
+  test::write_file(folder, "knob.tml", scene);
+  test::write_file(folder, "knob.TOML", scene);
+  test::write_file(folder, "knob.txt", scene);
+  EXPECT_THAT(
+      test::fingerpad("check knob.tml", folder).err,
+      HasSubstr("its name ends in '.tml': STL, OBJ, PLY and OFF are read; a scene's ends in .toml\n"));
+  EXPECT_THAT(test::fingerpad("check knob.TOML", folder).err,
+              HasSubstr("are read; a scene's ends in .toml, in small letters\n"));
+  EXPECT_THAT(test::fingerpad("check knob.txt", folder).err, HasSubstr("are read\n"));
+}
+
+TEST(NearMiss, OfWhatIsOneTooManySaysWhatIsTaken) {
+  const fs::path folder = folder_with_scenes();
+  const auto touched =
+      test::fingerpad("touch scenes/sweep.toml motions --device recorded --headless", folder);
+  EXPECT_EQ(touched.exit_code, 2);
+  EXPECT_THAT(touched.err, HasSubstr("touch takes one SUBJECT: 'motions' is one too many; the recording that "
+                                     "--device recorded follows is named in the scene ([motion] file)\n"));
+  EXPECT_THAT(test::fingerpad("export a.h5 b.h5 --out x.csv", folder).err,
+              HasSubstr("export takes one TRACE: 'b.h5' is one too many\n"));
+}
+
 TEST(NearMiss, OfASubcommandIsOneQuestion) {
   const auto near = test::fingerpad("repaly", test::scratch_dir());
   EXPECT_EQ(near.err,
