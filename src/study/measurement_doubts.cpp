@@ -4,8 +4,10 @@
 
 #include "base/error.hpp"
 #include "study/file_trials.hpp"
+#include "study/height_doubts.hpp"
 #include "study/odd_trials.hpp"
 #include "study/sign_doubts.hpp"
+#include "study/swapped_forces.hpp"
 #include "study/unit_doubts.hpp"
 
 namespace fingerpad {
@@ -19,6 +21,8 @@ MeasurementFormat with_told(const RecordedMeasurement& recorded, const std::stri
   const auto tells = [&](Quantity quantity) {
     return found->second[static_cast<std::size_t>(quantity)].has_value();
   };
+  if (const auto& told_s = found->second[static_cast<std::size_t>(Quantity::time)])
+    format.seconds_per_unit = *told_s;
   format.says_time_unit = format.says_time_unit || tells(Quantity::time);
   format.says_unit = format.says_unit || tells(Quantity::length);
   format.says_force_unit = format.says_force_unit || tells(Quantity::force);
@@ -38,14 +42,24 @@ void refuse_doubtful(const RecordedMeasurement& recorded, const MeasurementForma
 
 std::vector<std::string> doubts_of(const RecordedMeasurement& recorded, const MeasurementFormat& format) {
   std::vector<std::string> told;
-  bool refuses_times = false;
+  bool doubts_times = false;
   each_file(recorded, [&](FileTrials own) {
     for (const UnitDoubt& doubt : unit_doubts(own, with_told(recorded, own.front().file, format))) {
-      refuses_times = refuses_times || (doubt.is_refused && doubt.is_of_times);
+      doubts_times = doubts_times || doubt.is_of_times;
       if (!doubt.is_refused) told.push_back(fmt::format("{}: {}", own.front().file, doubt.words));
     }
   });
-  if (refuses_times) return told;  // by wrong times no trial's friction says anything
+  if (doubts_times) return told;  // by wrong times no trial's friction says anything
+  bool are_swapped = false;
+  each_file(recorded, [&](FileTrials own) {
+    const std::string words = swapped_forces_doubt(own);
+    if (words.empty()) return;
+    are_swapped = true;
+    told.push_back(fmt::format("{}: {}", own.front().file, words));
+  });
+  if (are_swapped) return told;  // by the wrong normal force no trial is odd
+  const std::vector<std::string> heights = height_doubts(recorded.trials);
+  told.insert(told.end(), heights.begin(), heights.end());
   const std::vector<std::string> odd = odd_trial_doubts(recorded.trials);
   told.insert(told.end(), odd.begin(), odd.end());
   return told;

@@ -12,6 +12,7 @@
 #include "study/named_trials.hpp"
 #include "study/sample_noise.hpp"
 #include "study/six_axis_sensor.hpp"
+#include "study/trial_drive.hpp"
 
 namespace fingerpad {
 namespace {
@@ -81,6 +82,7 @@ double usual_size(std::vector<double> sizes, double of_finger) {
 struct UsualTrial {
   double press_n = 0;  ///< below 0 where most are of the wrong sign
   double reach_m = 0, work_share = 0;
+  Vec3 work_by_axis = Vec3::Zero();
 
   explicit UsualTrial(FileTrials trials) {
     std::vector<double> presses_n, reaches_m;
@@ -95,7 +97,11 @@ struct UsualTrial {
     }
     press_n = (turned > 0 ? -1 : 1) * usual_size(presses_n, 1);
     reach_m = usual_size(reaches_m, 0.05);
-    work_share = trials.size() < fewest_in_file ? 0 : usual(trials, fingerpad::work_share);
+    if (trials.size() < fewest_in_file) return;
+    work_share = usual(trials, fingerpad::work_share);
+    for (int axis = 0; axis < 3; ++axis)
+      work_by_axis[axis] =
+          usual(trials, [axis](const RecordedTrial& trial) { return drive_of(trial, 0).by_axis[axis]; });
   }
 };
 
@@ -134,6 +140,23 @@ std::string odd_reach(const RecordedTrial& trial, double usual_m, const std::vec
       unit_mend(trial, all, "--unit"));
 }
 
+/// What one axis has of a mirror in this trial alone; empty where none has.
+std::string odd_axis(const RecordedTrial& trial, const UsualTrial& usual,
+                     const std::vector<RecordedTrial>& all) {
+  if (!(usual.work_by_axis.array() < -most_driving_share).any()) return {};
+  const Vec3 work = drive_of(trial, 0).by_axis;
+  for (int axis = 0; axis < 3; ++axis) {
+    const bool is_odd = usual.work_by_axis[axis] < -most_driving_share && work[axis] > most_driving_share;
+    const bool is_along_plate = std::abs(trial.normal_W[axis]) < 0.5;
+    if (!is_odd || !is_along_plate) continue;
+    return fmt::format(
+        "along {0} alone its force drives the finger, and the other trials' holds it back: is its force or "
+        "its position along {0} mirrored? It is counted as it is; --leave-out '{1}' leaves it out",
+        "xyz"[axis], option_name(trial, all));
+  }
+  return {};
+}
+
 /// What is odd in a trial that presses as the others do; empty where nothing is.
 std::string oddity(const RecordedTrial& trial, const UsualTrial& usual,
                    const std::vector<RecordedTrial>& all) {
@@ -157,7 +180,7 @@ std::string oddity(const RecordedTrial& trial, const UsualTrial& usual,
         "its force drives the finger along its way, and the other trials' holds it back: is the sign of "
         "its fx and fy turned round? It tells neither slip nor springs so; --leave-out '{}' leaves it out",
         option_name(trial, all));
-  return {};
+  return trial.lacks.empty() ? odd_axis(trial, usual, all) : "";
 }
 
 }  // namespace

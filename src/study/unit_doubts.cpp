@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "base/number_text.hpp"
+#include "base/unit.hpp"
 #include "motion/force_unit_doubt.hpp"
 
 namespace fingerpad {
@@ -13,6 +14,21 @@ namespace {
 
 constexpr std::string_view units_checked =
     "are the units right (the options that say them, and the table's)?";
+
+/// "if they are in us, which makes 1000 a second, say --time-unit us"; empty where no other unit makes it a
+/// recorder's rate, at which the finger goes as one does.
+std::string likely_time_unit(FileTrials trials, double rate_hz, double seconds_per_unit) {
+  constexpr double slowest_hz = 50, fastest_hz = 20e3, slowest = 1e-3, fastest = 1.5;
+  const double speed = usual(trials, fastest_m_per_s);
+  for (const TimeUnit& unit : time_units) {
+    const double times = seconds_per_unit / unit.seconds, likely_hz = rate_hz * times;
+    if (likely_hz < slowest_hz || likely_hz > fastest_hz) continue;
+    if (speed * times < slowest || speed * times > fastest) continue;
+    return fmt::format("if they are in {0}, which makes {1} a second, say --time-unit {0}", unit.name,
+                       rounded_text(likely_hz, 4));
+  }
+  return {};
+}
 
 void doubt_times(FileTrials trials, const MeasurementFormat& format, std::vector<UnitDoubt>& doubts) {
   constexpr double slowest_hz = 20, fastest_hz = 100e3, refused_hz = 200e3;
@@ -27,9 +43,12 @@ void doubt_times(FileTrials trials, const MeasurementFormat& format, std::vector
          true});
     return;
   }
-  doubts.push_back({false, fmt::format("its times give {} samples a second, at which no finger is "
-                                       "measured: {}",
-                                       rounded_text(rate_hz, 3), units_checked)});
+  const std::string likely = likely_time_unit(trials, rate_hz, format.seconds_per_unit);
+  doubts.push_back(
+      {false,
+       fmt::format("its times give {} samples a second, at which no finger is measured: {}",
+                   rounded_text(rate_hz, 3), likely.empty() ? std::string(units_checked) : likely),
+       true});
 }
 
 void doubt_positions(FileTrials trials, const MeasurementFormat& format, std::vector<UnitDoubt>& doubts) {

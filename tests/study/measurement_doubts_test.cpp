@@ -261,6 +261,87 @@ TEST(MeasurementDoubts, TrialsOfTheOtherSignAreNamedThoughTheyAreAsMany) {
               testing::ElementsAre(HasSubstr("trial 2: its normal force is -")));
 }
 
+TEST(MeasurementDoubts, OneTrialWithAMirroredAxisIsNamed) {
+  using testing::ElementsAre;
+  for (const auto mirror : {+[](RecordedTrial& trial) { trial.force_W.row(1) *= -1; },
+                            +[](RecordedTrial& trial) { trial.position_W.row(1) *= -1; }}) {
+    RecordedMeasurement recorded =
+        test::known_measurement({rubs[1], rubs[1], rubs[1], rubs[1]}, {}, test::bad_sensors(), 1);
+    EXPECT_THAT(doubts_of(recorded, {}), testing::IsEmpty());
+    mirror(recorded.trials[2]);
+    EXPECT_THAT(doubts_of(recorded, {}),
+                ElementsAre(AllOf(HasSubstr("trial 3: along y alone its force drives the finger"),
+                                  HasSubstr("--leave-out 'subject 1, trial 3'"))));
+  }
+}
+
+TEST(MeasurementDoubts, AMirroredHeightIsToldByTheAir) {
+  using testing::ElementsAre;
+  const auto mirror = [](RecordedTrial& trial) { trial.position_W.row(2) *= -1; };
+  EXPECT_THAT(warned(mirror, false),
+              ElementsAre(AllOf(HasSubstr("known: its finger is "), HasSubstr("mm higher where it presses"),
+                                HasSubstr("turn that column's sign"))));
+  EXPECT_THAT(warned_of_one(mirror),
+              ElementsAre(AllOf(HasSubstr("trial 3: its finger is "), HasSubstr("--leave-out"))));
+}
+
+TEST(MeasurementDoubts, APlateThatIsNotLevelIsNotMirrored) {
+  // It lands at the low end of the plate and is lifted there, 10 degrees off level.
+  EXPECT_THAT(warned(
+                  [](RecordedTrial& trial) {
+                    trial.position_W.row(2).setZero();
+                    const Eigen::Index n = trial.samples();
+                    for (Eigen::Index i = 0; i < n; ++i) {
+                      const bool is_pressed = i > n / 4 && i < 3 * n / 4;
+                      trial.position_W.col(i) = is_pressed ? Vec3(0.03, 0, 0.0053) : Vec3::Zero();
+                      trial.force_W.col(i) = is_pressed ? Vec3(0, 0, 1) : Vec3::Zero();
+                    }
+                  },
+                  true),
+              testing::Not(testing::Contains(HasSubstr("mirrored"))));
+}
+
+TEST(MeasurementDoubts, SwappedForcesAreToldAndNoTrialIsOddByThem) {
+  using testing::ElementsAre;
+  const auto swap_y_and_z = [](RecordedTrial& trial) { trial.force_W.row(1).swap(trial.force_W.row(2)); };
+  RecordedMeasurement recorded =
+      test::known_measurement({rubs[1], rubs[1], rubs[1], rubs[1]}, {}, test::bad_sensors(), 1);
+  for (RecordedTrial& trial : recorded.trials) swap_y_and_z(trial);
+  EXPECT_THAT(doubts_of(recorded, {}), ElementsAre(AllOf(HasSubstr("known: along the plate's normal"),
+                                                         HasSubstr("along y it presses"))));
+}
+
+TEST(MeasurementDoubts, NothingIsWarnedOfWhatIsAsItShouldBe) {
+  test::KnownSensors late = test::bad_sensors(), off = test::bad_sensors(), airless = test::bad_sensors();
+  late.delay_s = 0.03;
+  off.tare_n = 0.3;
+  off.drift_n_per_s = 0.05;
+  airless.air_s = 0;
+  test::KnownFinger sticky;
+  sticky.pad = assumed_profile(1.5, 700);
+  sticky.mu_dynamic = 1.2;
+  std::uint64_t seed = 1;
+  for (const test::KnownSensors& sensors : {test::bad_sensors(), late, off, airless, test::KnownSensors()}) {
+    for (const test::KnownFinger& finger : {test::KnownFinger(), sticky}) {
+      const RecordedMeasurement recorded =
+          test::known_measurement(test::every(3, test::known_trials()), finger, sensors, seed);
+      EXPECT_THAT(doubts_of(recorded, {}), testing::IsEmpty()) << seed;
+      ++seed;
+    }
+  }
+}
+
+TEST(MeasurementDoubts, TimesInAnotherUnitThanWasSaidAreTakenForThatWhichMakesThemAFingers) {
+  RecordedMeasurement recorded = test::known_measurement(rubs, {}, test::bad_sensors(), 1);
+  for (RecordedTrial& trial : recorded.trials) trial.rate_hz /= 1000;
+  MeasurementFormat milliseconds;
+  milliseconds.says_time_unit = true;
+  milliseconds.seconds_per_unit = 1e-3;
+  EXPECT_THAT(
+      doubts_of(recorded, milliseconds),
+      testing::ElementsAre(HasSubstr("if they are in us, which makes 1000 a second, say --time-unit us")));
+}
+
 /// A trial in the air shows noise of either sign.
 TEST(MeasurementDoubts, OneTrialThatNeverPressesIsInNoOtherUnit) {
   EXPECT_THAT(warned_of_one([](RecordedTrial& trial) {

@@ -1,0 +1,97 @@
+#include "study/height_doubts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/number_text.hpp"
+#include "study/file_trials.hpp"
+#include "study/named_trials.hpp"
+#include "study/pad_axes.hpp"
+#include "study/sample_noise.hpp"
+
+namespace fingerpad {
+namespace {
+
+/// The middle of some of a trial's places, axis by axis.
+Vec3 middle_of(const Points& places_W, const std::vector<Eigen::Index>& samples) {
+  Vec3 middle_W;
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<double> along;
+    along.reserve(samples.size());
+    for (const Eigen::Index i : samples) along.push_back(places_W(axis, i));
+    middle_W[axis] = median_of(along);
+  }
+  return middle_W;
+}
+
+/// From where the finger is in the air to where it presses; not a number where it never does one of them for
+/// long.
+Vec3 way_to_press_W(const RecordedTrial& trial) {
+  constexpr double pressed = 0.5, in_air = 0.25;  // of the trial's press
+  constexpr double least_s = 0.02;
+  const double press_n = pressing_n(trial);
+  const Vec3 none = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
+  if (!(press_n > least_normal_force_n)) return none;
+  const Eigen::RowVectorXd along_n = along_normal_n(trial);
+  std::vector<Eigen::Index> pressing, airborne;
+  for (Eigen::Index i = 0; i < along_n.size(); ++i) {
+    if (trial.origin[static_cast<std::size_t>(i)] == SampleOrigin::missing) continue;
+    if (along_n[i] >= pressed * press_n) pressing.push_back(i);
+    if (along_n[i] < in_air * press_n) airborne.push_back(i);
+  }
+  const double least = std::max(1.0, least_s * trial.rate_hz);
+  if (static_cast<double>(std::min(pressing.size(), airborne.size())) < least) return none;
+  const Points& places_W = trial.seen_W();
+  return middle_of(places_W, pressing) - middle_of(places_W, airborne);
+}
+
+enum class Landing { untold, downwards, upwards };
+
+/// A plate that is not quite level, or a finger that yields as it lands, is no mirror.
+Landing landing_of(const RecordedTrial& trial) {
+  constexpr double least_m = 1e-3, steepest = 0.2;
+  const Vec3 way_W = way_to_press_W(trial);
+  const double up_m = way_W.dot(trial.normal_W);
+  const double clear_m = least_m + steepest * (way_W - up_m * trial.normal_W).norm();
+  return up_m > clear_m ? Landing::upwards : up_m < -clear_m ? Landing::downwards : Landing::untold;
+}
+
+std::string rise_words(const RecordedTrial& trial) {
+  return fmt::format("its finger is {} mm higher where it presses than in the air",
+                     rounded_text(1e3 * way_to_press_W(trial).dot(trial.normal_W), 3));
+}
+
+}  // namespace
+
+std::vector<std::string> height_doubts(const std::vector<RecordedTrial>& trials) {
+  std::vector<std::string> doubts;
+  for (std::size_t from = 0, to = 0; from < trials.size(); from = to) {
+    while (to < trials.size() && trials[to].file == trials[from].file) ++to;
+    const FileTrials own(trials.data() + from, to - from);
+    std::vector<const RecordedTrial*> upwards;
+    std::ptrdiff_t downwards = 0;
+    for (const RecordedTrial& trial : own) {
+      const Landing landing = landing_of(trial);
+      if (landing == Landing::upwards) upwards.push_back(&trial);
+      if (landing == Landing::downwards) ++downwards;
+    }
+    if (std::ssize(upwards) > downwards) {
+      doubts.push_back(fmt::format(
+          "{}: {}: is its height mirrored (z, where the normal is 0,0,1)? Then turn that column's sign; "
+          "normal_stiffness_n_per_m and normal_exponent go by it, friction does not",
+          upwards.front()->file, rise_words(*upwards.front())));
+      continue;
+    }
+    for (const RecordedTrial* trial : upwards)
+      doubts.push_back(
+          fmt::format("{}: {}, and the other trials' is lower: is its height mirrored? "
+                      "normal_stiffness_n_per_m and normal_exponent go by it; --leave-out '{}' leaves it out",
+                      trial_name(*trial), rise_words(*trial), option_name(*trial, trials)));
+  }
+  return doubts;
+}
+
+}  // namespace fingerpad
