@@ -78,7 +78,10 @@ ContactGlyphs contact_glyphs(const ContactMoment& moment, const DrawSpace& space
   if (moment.region) add_region(glyphs, moment, moment.rings, space, 0.02 * size, 0.04 * size);
   glyphs.solid.ball(contact, 0.22 * size, phase_colour(row.phase));
   if (row.stick_centre_W.allFinite()) {
-    glyphs.solid.ball(space.to_draw(row.stick_centre_W), 0.14 * size, choice.ink.centre);
+    // Beside the contact it leaves that in sight. On one of several walls it is a finger's radius off, and is
+    // looked for through the finger.
+    const double radius = row.walls > 1 ? 0.26 : 0.14;
+    glyphs.solid.ball(space.to_draw(row.stick_centre_W), radius * size, choice.ink.centre);
   }
   if (choice.frame) {
     const Mat3 frame = tangent_frame(row.normal_W, moment.finger_direction_W);

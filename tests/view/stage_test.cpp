@@ -221,6 +221,26 @@ TEST(Stage, OfAnotherSizeIsLookedAtFromWhereItWas) {
   EXPECT_GT(from().dot(first), 1 - 1e-9);
 }
 
+TEST(ContactGlyphs, OfAFingerOnSeveralWallsHaveAStickCentreThatIsSeenThroughIt) {
+  ContactMoment moment;
+  moment.row.phase = Phase::stick;
+  moment.row.contact_W = Vec3(0.01, 0, 0);
+  moment.row.normal_W = Vec3::UnitZ();
+  moment.row.stick_centre_W = Vec3(0.02, 0, 0);
+  GlyphChoice choice;
+  choice.finger = choice.forces = choice.frame = false;
+  const auto right_end_mm = [&] {
+    double x = 0;
+    for (const Vec3& point : contact_glyphs(moment, {}, choice).solid.points)
+      x = std::max<double>(x, point.x());
+    return x;
+  };
+  moment.row.walls = 1;
+  const double on_one = right_end_mm();
+  moment.row.walls = 2;
+  EXPECT_GT(right_end_mm(), on_one + 0.1 * choice.size_mm) << "a larger ball";
+}
+
 TEST(CloseUp, ShowsTheStickCentreOfAFingerOnSeveralWallsToo) {
   ContactMoment moment;
   moment.row.phase = Phase::stick;
