@@ -17,6 +17,10 @@ constexpr double surely_converging = 1e-6;
 /// falls by a share.
 constexpr double last_newton = 1e-7, last_gauss_newton = 1e-13;
 
+/// Of the curvature of the distance from afar: so little is left at a finger that is all but one fiftieth of
+/// the way to the middle of a rounding. Nearer to it Gauss-Newton takes more steps than there are.
+constexpr double least_convexity = 0.02;
+
 /// A place on one patch.
 struct Foot {
   int triangle = -1;
@@ -42,7 +46,8 @@ Slope slope_at(const PatchPoint& p, const Vec3& q) noexcept {
   s.h12 = f + r.dot(p.x12);
   s.h22 = g + r.dot(p.x22);
   // Newton where the distance is convex, and well so; else Gauss-Newton, which always goes downhill.
-  if (!(s.h11 > 0.1 * e && s.h22 > 0.1 * g && s.h11 * s.h22 - s.h12 * s.h12 > 0.1 * (e * g - f * f))) {
+  constexpr double least = least_convexity, least2 = least * least;
+  if (!(s.h11 > least * e && s.h22 > least * g && s.h11 * s.h22 - s.h12 * s.h12 > least2 * (e * g - f * f))) {
     s.h11 = e;
     s.h12 = f;
     s.h22 = g;

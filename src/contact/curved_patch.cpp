@@ -3,6 +3,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "contact/facet_rule.hpp"
 
 namespace fingerpad {
 namespace {
@@ -20,9 +23,17 @@ struct Bulge {
   bool usable;
 };
 
+/// Along a tangent, the chord's part in its direction: as far as a cubic of a circle's arc has its control
+/// point, 2 chord / (3 (1 + cos)) for an angle between chord and tangent.
+Bulge along(const Vec3& tangent, const Vec3& chord) noexcept {
+  const double cos2 = tangent.squaredNorm() / chord.squaredNorm();
+  if (!(cos2 >= 1 - largest_turn * largest_turn)) return {Vec3::Zero(), false};
+  const double cosine = std::sqrt(cos2);
+  return {2 / (3 * cosine * (1 + cosine)) * tangent - chord / 3, true};
+}
+
 Bulge in_plane(const Vec3& chord, const Vec3& normal) noexcept {
-  const double off = chord.dot(normal);
-  return {-off / 3 * normal, off * off <= largest_turn * largest_turn * chord.squaredNorm()};
+  return along(chord - chord.dot(normal) * normal, chord);
 }
 
 /// As above where two smooth surfaces meet in a crease: along the line that is in both tangent planes. At a
@@ -33,9 +44,7 @@ Bulge in_both_planes(const Vec3& chord, const Vec3& normal, const Vec3& beyond) 
   if (sine2 < 1e-12 && normal.dot(beyond) > 0) return in_plane(chord, normal);
   // Planes that meet at a few degrees say little about where: 1 degree of error in one turns the line by ten.
   if (sine2 < 0.01) return {Vec3::Zero(), true};
-  const double along = chord.dot(line);
-  return {(along / sine2 * line - chord) / 3,
-          along * along >= (1 - largest_turn * largest_turn) * chord.squaredNorm() * sine2};
+  return along(chord.dot(line) / sine2 * line, chord);
 }
 
 /// An edge bulges at one end at most twice as much as at the other, and not at all where they disagree which
@@ -59,6 +68,18 @@ double height_m(const Part& part, int t) noexcept {
   const Vec3 a = part.vertices.col(part.triangles(1, t)) - p, b = part.vertices.col(part.triangles(2, t)) - p;
   const double longest2 = std::max({a.squaredNorm(), b.squaredNorm(), (b - a).squaredNorm()});
   return longest2 > 0 ? std::sqrt(a.cross(b).squaredNorm() / longest2) : 0;
+}
+
+/// How far a bulge over the edge from p_P along `chord` may go before it folds triangle t, of which `third`
+/// is the corner beside the edge [m]. One that leads out of it, as a bend of a flat face's rim does, never
+/// folds it.
+double most_bulge_m(const Part& part, int t, int third, const Vec3& p_P, const Vec3& chord,
+                    const Vec3& bulge) noexcept {
+  Vec3 inward = part.vertices.col(part.triangles(third, t)) - p_P;
+  inward -= inward.dot(chord) / chord.squaredNorm() * chord;
+  const double lead = bulge.dot(inward);
+  const bool leads_out = lead < 0 && lead * lead > 0.8 * bulge.squaredNorm() * inward.squaredNorm();
+  return leads_out ? std::numeric_limits<double>::infinity() : height_m(part, t) / 2;
 }
 
 /// The normals beyond edge k at its ends; false where no neighbour answers for both.
@@ -100,8 +121,11 @@ std::array<Vec3, 2> bulges(const CornerNormals& normals, int t, int k, const Cur
   const double larger = std::sqrt(std::max(at_i.offset.squaredNorm(), at_j.offset.squaredNorm()));
   if (larger > flatness * patch.length_m) {
     // A sliver must not fold, and a long one in a flat face says little about how the surface curves.
-    double most = height_m(part, t) / 2;
-    if (other >= 0) most = std::min(most, height_m(part, other) / 2);
+    const Vec3 bulge = at_i.offset + at_j.offset;
+    double most = most_bulge_m(part, t, (k + 2) % 3, patch.control[i], chord, bulge);
+    if (other >= 0)
+      most = std::min(
+          most, most_bulge_m(part, other, corner_beyond(part, t, k, other), patch.control[i], chord, bulge));
     const double share = std::min(1.0, most / larger);
     at_i.offset *= share;
     at_j.offset *= share;

@@ -10,7 +10,8 @@ namespace fingerpad {
 /// normals (PN triangle; Vlachos, Peters, Boyd & Mitchell 2001), and the normal shown over it, quadratic.
 ///
 /// The patches of neighbours meet in one curve, as an edge's curve comes from what both sides know:
-///   smooth edge: Hermite data of the end points' shared normals (Vlachos et al., eq. for b210);
+///   smooth edge: along the end points' tangent planes, as far as a circle's arc of the same turn has its
+///   control points (Vlachos et al. project a third of the chord, which is less);
 ///   crease: at each end the tangent along which both sides' tangent planes meet, so that the edge stays
 ///   sharp and follows the design's curve; the edge of a box stays straight; straight where there is no
 ///   single neighbour, or where an end's tangent would turn off the chord by more than 30 degrees.

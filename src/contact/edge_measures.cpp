@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "contact/facet_rule.hpp"
 #include "part/part.hpp"
 
 namespace fingerpad {
@@ -41,14 +42,6 @@ struct Edges {
   PartMeasures sum;
   double ridge_chord = 0, edge_chord = 0, valley_chord = 0, smooth_chord = 0;
 };
-
-/// Which corner of triangle `other` is not on edge k of triangle t.
-int corner_beyond(const Part& part, int t, int k, int other) {
-  const int a = part.welded(k, t), b = part.welded((k + 1) % 3, t);
-  int j = 0;
-  while (j < 2 && (part.welded(j, other) == a || part.welded(j, other) == b)) ++j;
-  return j;
-}
 
 Fold fold_at(const Part& part, int t, int k) {
   const int other = part.neighbours(k, t);

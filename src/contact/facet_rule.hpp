@@ -34,6 +34,14 @@ inline bool has_crease(const Part& part, int t, int edge) noexcept {
   return (part.creases[t] >> edge & 1) != 0;
 }
 
+/// The corner of the triangle beyond edge k of triangle t that is not on the edge.
+inline int corner_beyond(const Part& part, int t, int k, int other) noexcept {
+  const int a = part.welded(k, t), b = part.welded((k + 1) % 3, t);
+  int j = 0;
+  while (j < 2 && (part.welded(j, other) == a || part.welded(j, other) == b)) ++j;
+  return j;
+}
+
 /// A triangle at a vertex, and the one of its two edges there over which one goes on about the vertex.
 struct VertexTurn {
   int vertex;  ///< welded
@@ -41,6 +49,10 @@ struct VertexTurn {
 
   /// The triangle beyond the edge; -1 at an open rim.
   int next(const Part& part) const noexcept { return part.neighbours(edge, triangle); }
+  /// Of the triangle, at the vertex.
+  int corner(const Part& part) const noexcept {
+    return part.welded(edge, triangle) == vertex ? edge : (edge + 1) % 3;
+  }
   /// @pre next(part) >= 0
   void go_on(const Part& part) noexcept {
     const int before = std::exchange(triangle, next(part));

@@ -13,6 +13,10 @@
 namespace fingerpad {
 namespace {
 
+/// Of how far a patch's own normal is off the shown one: the shown normal's error, and the height over the
+/// patch's width. So much on the surfaces that study contact knows exactly, at most, and of errors that
+/// count.
+constexpr double shown_per_patch = 1.25, height_per_patch = 0.5;
 constexpr double last_force = ReckonedError::forces - 1;
 constexpr double whole_force = 2;
 constexpr double keeps_up = ProxyLimits::rounds_per_finger;
@@ -86,7 +90,7 @@ double tilt_rad(const Way& way, const SurfacePlace& place, const Centre& centre)
   if (way.shows_facets && falls_behind(way, place.curvature_per_m, centre)) return whole_force;
   double off = 0;
   if (way.touches_patches)
-    off = place.patch_rad * (u >= 0 ? 1 : 1 / (1 + u));
+    off = shown_per_patch * place.patch_rad * (u >= 0 ? 1 : 1 / (1 + u));
   else if (way.shows_facets)
     off = place.facet_rad * facet_turn(u, centre.height_m() < 0, way.lags);
   else
@@ -105,7 +109,7 @@ double way_there(const SurfacePlace& place, const Centre& centre) noexcept {
 
 /// Along it, as a length [m].
 double sag_m(const Way& way, const SurfacePlace& place) noexcept {
-  return way.touches_patches ? place.patch_rad * place.width_m : place.sag_m;
+  return way.touches_patches ? height_per_patch * place.patch_rad * place.width_m : place.sag_m;
 }
 
 /// An error, and how much of the finger's way it is met on.

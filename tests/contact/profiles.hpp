@@ -11,8 +11,10 @@ namespace fingerpad::test {
 /// 20 wide, open at the borders.
 /// @param facets  of the fillet
 /// @param rows    along y
-inline TriangleSoup filleted_bar(int facets, int rows) {
+/// @param sliver  width of a strip of the face z = 1 beside the fillet; none where 0
+inline TriangleSoup filleted_bar(int facets, int rows, double sliver = 0) {
   std::vector<Vec2> profile = {{-10, 1}};
+  if (sliver > 0) profile.emplace_back(-sliver, 1);
   for (int i = 0; i <= facets; ++i) {
     const double angle = M_PI / 2 * i / facets;
     profile.emplace_back(std::sin(angle), std::cos(angle));
@@ -88,6 +90,26 @@ inline TriangleSoup drum(int facets) {
     soup.triangles.col(first + 1) << low, next_high, high;
     soup.triangles.col(first + 2) << low_middle, next_low, low;
     soup.triangles.col(first + 3) << high_middle, high, next_high;
+  }
+  return soup;
+}
+
+/// A closed cylinder of radius 1 from z = -1 to z = 1, its rims sharp, in strips of 24 and 6 degrees in turn;
+/// the ends are fans about a corner of the rim, so that the first and the last triangle are slivers.
+inline TriangleSoup uneven_drum() {
+  constexpr int strips = 24;
+  TriangleSoup soup;
+  soup.vertices_P.resize(3, 2 * strips);
+  soup.triangles.resize(3, 4 * strips - 4);
+  for (int i = 0; i < strips; ++i) {
+    const double angle = M_PI / 180 * (30 * (i / 2) + 24 * (i % 2));
+    for (const int k : {0, 1}) soup.vertices_P.col(2 * i + k) << std::cos(angle), std::sin(angle), 2 * k - 1;
+    const int low = 2 * i, high = low + 1, next_low = 2 * ((i + 1) % strips), next_high = next_low + 1;
+    soup.triangles.col(2 * i) << low, next_low, next_high;
+    soup.triangles.col(2 * i + 1) << low, next_high, high;
+    if (i == 0 || i == strips - 1) continue;
+    soup.triangles.col(2 * strips + 2 * i - 2) << 0, next_low, low;
+    soup.triangles.col(2 * strips + 2 * i - 1) << 1, high, next_high;
   }
   return soup;
 }

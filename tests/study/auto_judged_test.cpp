@@ -47,7 +47,7 @@ TEST(AutoJudged, KeepsItsWordOnSurfacesThatAreKnownExactly) {
   if (!judges_all) return;
   const JudgedCount count = all.count();
   EXPECT_EQ(count.cases, 46);
-  EXPECT_GE(count.kept, 25) << "it does not talk itself out of everything";
+  EXPECT_GE(count.kept, 30) << "it does not talk itself out of everything";
   EXPECT_LE(count.needless, 5);
   EXPECT_GE(10 * count.near_cheapest, 9 * count.kept)
       << "nine of ten cost 1.2 times the cheapest at the most";

@@ -73,12 +73,15 @@ double order(const std::string& name, double RubError::*number, double under_m, 
 }
 
 TEST(ContactStudy, FindsTheOrdersOfTheoryOnATorus) {
-  // SCIENCE 5. Two tessellations give a slope to a quarter: the rub meets other places of the facets.
-  for (const auto& [name, position, normal] :
-       {std::tuple("closest-point, facet", 2, 1), std::tuple("closest-point, smooth", 2, 2),
-        std::tuple("closest-point, curved", 3, 2)}) {
+  // SCIENCE 5. Two tessellations give a slope to a quarter: the rub meets other places of the facets. Curved
+  // patches are of fourth order where the corner normals are exact, as on a sphere, and at least of third.
+  for (const auto& [name, position, up_to, normal] :
+       {std::tuple("closest-point, facet", 2, 2, 1), std::tuple("closest-point, smooth", 2, 2, 2),
+        std::tuple("closest-point, curved", 3, 4, 2)}) {
     // A ball whose centre goes along the surface.
-    EXPECT_NEAR(order(name, &RubError::position_rms_m, 0, 1e-3), position, 0.25) << name;
+    const double found = order(name, &RubError::position_rms_m, 0, 1e-3);
+    EXPECT_GT(found, position - 0.25) << name;
+    EXPECT_LT(found, up_to + 0.25) << name;
     EXPECT_NEAR(order(name, &RubError::normal_rms_rad, 0, 1e-3), normal, 0.25) << name;
   }
 }

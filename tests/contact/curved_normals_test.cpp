@@ -1,0 +1,102 @@
+#include "contact/curved_normals.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "base/random_stream.hpp"
+#include "contact/profiles.hpp"
+#include "support/shapes.hpp"
+
+namespace fingerpad::curved_normals_test {
+namespace {
+
+constexpr double crease_rad = 30 * M_PI / 180;
+
+Vec3 place_of(const Part& part, int t, int k) {
+  return part.vertices.col(part.triangles(k, t)) + part.centre_P;
+}
+
+/// A sphere of radius 1 whose vertices are moved aside by up to a third of an edge.
+TriangleSoup uneven_sphere() {
+  TriangleSoup soup = test::sphere_soup(1, 3);
+  RandomStream random(4);
+  for (auto p : soup.vertices_P.colwise()) {
+    const Vec3 aside(random.uniform() - 0.5, random.uniform() - 0.5, random.uniform() - 0.5);
+    p = (p + 0.1 * aside).normalized();
+  }
+  return soup;
+}
+
+TEST(CurvedNormals, OfASphereAreExactWhateverItsTriangles) {
+  const Part part = make_part(uneven_sphere(), crease_rad);
+  for (int t = 0; t < part.triangle_count(); ++t) {
+    for (int k = 0; k < 3; ++k)
+      ASSERT_LE((curved_corner_normal(part, t, k) - place_of(part, t, k).normalized()).norm(), 1e-12);
+  }
+}
+
+TEST(CurvedNormals, OfUnevenStripsPointAwayFromTheAxis) {
+  // Strips of 24 and 6 degrees in turn. Weighted by area the normals lean 9 degrees towards the wide ones'.
+  for (const TriangleSoup& soup : {test::uneven_drum(), test::rounded_drum(24, 4, 0.8)}) {
+    const Part part = make_part(soup, crease_rad);
+    int on_wall = 0;
+    for (int t = 0; t < part.triangle_count(); ++t) {
+      if (std::abs(part.facet_normals(2, t)) > 1e-9) continue;
+      ++on_wall;
+      for (int k = 0; k < 3; ++k) {
+        Vec3 away = place_of(part, t, k);
+        away.z() = 0;
+        EXPECT_LE((curved_corner_normal(part, t, k) - away.normalized()).norm(), 1e-9);
+      }
+    }
+    EXPECT_EQ(on_wall, 48);
+  }
+}
+
+TEST(CurvedNormals, ASliverOfAFlatFaceBesideAFilletIsOfThatFace) {
+  // Of a tenth of the first facet's width: alone it is no face that the facet could be held against.
+  const Part part = make_part(test::filleted_bar(8, 3, 0.02), crease_rad);
+  int on_face = 0;
+  for (int t = 0; t < part.triangle_count(); ++t) {
+    if (std::abs(part.facet_normals(2, t) - 1) > 1e-9) continue;
+    ++on_face;
+    for (int k = 0; k < 3; ++k) EXPECT_LE((curved_corner_normal(part, t, k) - Vec3::UnitZ()).norm(), 1e-9);
+  }
+  EXPECT_EQ(on_face, 12);
+}
+
+TEST(CurvedNormals, WhereAFilletTurnsFasterThanItsWallStayWithTheWall) {
+  // A fillet's facets are 2.5 times as curved as the strips of the wall beside it, and turn by as much.
+  const Part part = make_part(test::rounded_drum(24, 6), crease_rad);
+  for (int t = 0; t < part.triangle_count(); ++t) {
+    if (std::abs(part.facet_normals(2, t)) > 1e-9) continue;
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(curved_corner_normal(part, t, k).z(), 0, 1e-9);
+  }
+}
+
+TEST(CurvedNormals, AreOneInAFanAndTheSameBitsInATable) {
+  for (const TriangleSoup& soup : {test::torus_soup(1, 0.4, 24, 16), uneven_sphere(), test::uneven_drum(),
+                                   test::filleted_bar(8, 3, 0.02), test::rounded_drum(24, 4, 0.8)}) {
+    const Part part = make_part(soup, crease_rad);
+    const Points table = curved_corner_normals(part);
+    ASSERT_EQ(table.cols(), 3 * part.triangle_count());
+    for (int t = 0; t < part.triangle_count(); ++t) {
+      for (int k = 0; k < 3; ++k) {
+        const Vec3 n = curved_corner_normal(part, t, k);
+        ASSERT_NEAR(n.norm(), 1, 1e-15);
+        ASSERT_EQ(Vec3(table.col(Eigen::Index{3} * t + k)), n);
+        const int other = part.neighbours(k, t);
+        if (other < 0 || (part.creases[static_cast<std::size_t>(t)] >> k & 1) != 0) continue;
+        for (int c = 0; c < 3; ++c) {
+          if (part.welded(c, other) != part.welded(k, t)) continue;
+          ASSERT_EQ(curved_corner_normal(part, other, c), n);
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace fingerpad::curved_normals_test
