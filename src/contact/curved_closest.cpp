@@ -17,9 +17,9 @@ constexpr double surely_converging = 1e-6;
 /// falls by a share.
 constexpr double last_newton = 1e-7, last_gauss_newton = 1e-13;
 
-/// Of the curvature of the distance from afar: so little is left at a finger that is all but one fiftieth of
-/// the way to the middle of a rounding. Nearer to it Gauss-Newton takes more steps than there are.
-constexpr double least_convexity = 0.02;
+/// Newton is taken where the squared distance's curvature is more than this share of what it is far from the
+/// surface. It falls to 0 at the middle of a rounding, where Gauss-Newton takes more steps than there are.
+constexpr double least_convexity = 0.001;
 
 /// A place on one patch.
 struct Foot {

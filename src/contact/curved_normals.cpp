@@ -20,17 +20,17 @@ constexpr double even = 0.2, uneven = 0.4;
 constexpr double alike_rad = 1e-6;
 
 /// What the fans of a part share, in tables, or reckoned where it is asked for: to the same bits.
-struct Shared {
+struct FanTables {
   FaceAreas areas;
-  const std::vector<int>* lowest_corners = nullptr;  ///< of each corner's fan, -1 where none
-  const Points* round_normals = nullptr;             ///< of each fan, by its lowest corner
+  const std::vector<int>* lowest = nullptr;  ///< of each corner's fan the lowest corner, -1 where none
+  const Points* round_normals = nullptr;     ///< of each fan, by its lowest corner
 
   Vec3 round_normal(PartCorner at) const noexcept;  ///< zero where there is none
 };
 
 /// How unlike the fan's edges are curved at their two ends, where the normals are round ones: the largest
 /// difference over edges of facets that count, of the largest curvature.
-double unevenness(const Shared& shared, std::span<const FanFacet> fan, const FanShape& shape) noexcept {
+double unevenness(const FanTables& shared, std::span<const FanFacet> fan, const FanShape& shape) noexcept {
   double largest = 0, differ = 0;
   for (std::size_t i = 0; i < fan.size(); ++i) {
     for (const int k : {1, 2}) {
@@ -47,14 +47,20 @@ double unevenness(const Shared& shared, std::span<const FanFacet> fan, const Fan
   return largest > 0 ? differ / largest : 0;
 }
 
-/// Of the fan with this lowest corner; zero where it says nothing.
-Vec3 fan_normal(const Shared& shared, PartCorner lowest) noexcept {
+/// Of the fan with this lowest corner. Part::corner_normals where it gives nothing, folded upon itself, or
+/// one that is turned off that by over 60 degrees.
+Vec3 fan_normal(const FanTables& shared, PartCorner lowest) noexcept {
+  const Part& part = shared.areas.part;
+  const Vec3 otherwise = part.corner_normals.col(lowest.column());
   SmoothFan fan;
-  if (!fan.gather(shared.areas.part, lowest)) return Vec3::Zero();
+  if (!fan.gather(part, lowest)) return otherwise;
   const FanShape shape = fan_shape(shared.areas, fan.facets());
-  if ((shape.wide_normal - shape.round_normal).norm() < alike_rad) return shape.wide_normal;
-  const double round = smoothstep(uneven, even, unevenness(shared, fan.facets(), shape));
-  return unit_or_zero((1 - round) * shape.wide_normal + round * shape.round_normal);
+  Vec3 normal = shape.wide_normal;
+  if ((shape.wide_normal - shape.round_normal).norm() > alike_rad) {
+    const double round = smoothstep(uneven, even, unevenness(shared, fan.facets(), shape));
+    normal = unit_or_zero((1 - round) * shape.wide_normal + round * shape.round_normal);
+  }
+  return normal.dot(otherwise) > 0.5 ? normal : otherwise;
 }
 
 Vec3 fan_round_normal(const FaceAreas& areas, PartCorner lowest) noexcept {
@@ -62,19 +68,13 @@ Vec3 fan_round_normal(const FaceAreas& areas, PartCorner lowest) noexcept {
   return fan.gather(areas.part, lowest) ? fan_shape(areas, fan.facets()).round_normal : Vec3::Zero();
 }
 
-Vec3 Shared::round_normal(PartCorner at) const noexcept {
+Vec3 FanTables::round_normal(PartCorner at) const noexcept {
   if (round_normals != nullptr) {
-    const int fan = (*lowest_corners)[static_cast<std::size_t>(at.column())];
+    const int fan = (*lowest)[static_cast<std::size_t>(at.column())];
     return fan < 0 ? Vec3::Zero() : Vec3(round_normals->col(fan));
   }
-  const auto lowest = SmoothFan::lowest(areas.part, at);
-  return lowest ? fan_round_normal(areas, *lowest) : Vec3::Zero();
-}
-
-/// A fan folded upon itself says nothing, or what no side of it agrees with.
-Vec3 normal_at(const Part& part, Eigen::Index corner, const Vec3& fans) noexcept {
-  const Vec3 otherwise = part.corner_normals.col(corner);
-  return fans.dot(otherwise) > 0.5 ? fans : otherwise;
+  const auto fan = SmoothFan::lowest(areas.part, at);
+  return fan ? fan_round_normal(areas, *fan) : Vec3::Zero();
 }
 
 /// Of each corner the lowest of its fan, -1 where there is none.
@@ -85,7 +85,7 @@ std::vector<int> lowest_corners(const Part& part) {
     const auto found = SmoothFan::lowest(part, {at / 3, at % 3});
     lowest[i] = found ? static_cast<int>(found->column()) : -1;
   });
-  // Where a corner is not reached from its lowest one, that has a lower one still: it makes no fan.
+  // In a mesh whose neighbours are not each other's a corner may not be reached from its lowest one.
   for (int& at : lowest)
     if (at >= 0 && lowest[static_cast<std::size_t>(at)] != at) at = -1;
   return lowest;
@@ -96,7 +96,7 @@ std::vector<int> lowest_corners(const Part& part) {
 Vec3 curved_corner_normal(const Part& part, int t, int corner) noexcept {
   const PartCorner at{t, corner};
   const auto lowest = SmoothFan::lowest(part, at);
-  return normal_at(part, at.column(), lowest ? fan_normal({{part}}, *lowest) : Vec3::Zero());
+  return lowest ? fan_normal({{part}}, *lowest) : Vec3(part.corner_normals.col(at.column()));
 }
 
 Points curved_corner_normals(const Part& part) {
@@ -113,14 +113,16 @@ Points curved_corner_normals(const Part& part) {
   Points rounds(3, Eigen::Index{3} * n);
   const FaceAreas areas{part, &face_areas};
   each_fan([&](int i) { rounds.col(i) = fan_round_normal(areas, {i / 3, i % 3}); });
-  const Shared shared{areas, &lowest, &rounds};
+  const FanTables tables{areas, &lowest, &rounds};
   Points normals(3, Eigen::Index{3} * n);
-  each_fan([&](int i) { normals.col(i) = fan_normal(shared, {i / 3, i % 3}); });
+  each_fan([&](int i) { normals.col(i) = fan_normal(tables, {i / 3, i % 3}); });
   tbb::parallel_for(0, 3 * n, [&](int i) {
     const int from = lowest[static_cast<std::size_t>(i)];
-    if (from != i) normals.col(i) = normal_at(part, i, from < 0 ? Vec3::Zero() : Vec3(normals.col(from)));
+    if (from < 0)
+      normals.col(i) = part.corner_normals.col(i);
+    else if (from != i)
+      normals.col(i) = normals.col(from);
   });
-  each_fan([&](int i) { normals.col(i) = normal_at(part, i, normals.col(i)); });
   return normals;
 }
 

@@ -7,10 +7,10 @@ namespace fingerpad {
 /// The normal at corner k of triangle t that curved patches share over the smooth fan around it, unit.
 ///
 /// Where the edges of the fan are curved alike at both their ends, its vertices lie on one surface: each
-/// facet counts as on a sphere (Max 1999), whatever the widths, so that a sphere's normals and those of a
-/// cylinder in strips are exact, and a torus's of second order. Elsewhere, as where a fillet meets its face,
-/// wide facets count most: by their angle at the corner times their area. Between the two the normal goes
-/// over smoothly (unevenness, curved_normals.cpp).
+/// facet counts as on a sphere (Max 1999), whatever the widths. So a cylinder's normals in strips are exact,
+/// and a sphere's where the fan goes all the way round; a torus's are of second order. Elsewhere, as where a
+/// fillet meets its face, wide facets count most: by their angle at the corner times their area. Between the
+/// two the normal goes over smoothly (unevenness, curved_normals.cpp).
 ///
 /// Beside a flat face (facets in one plane) of twice its area a fillet's first facet is left out: one beyond
 /// which the surface turns on by nearly twice as much as from the face to it. So a flat face keeps its own

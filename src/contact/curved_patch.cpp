@@ -16,8 +16,7 @@ constexpr double flatness = 1e-9;
 constexpr double largest_turn = 0.5;
 
 /// How an edge's curve leaves its chord at one end: from the point a third of the chord along to the control
-/// point there, where `chord` goes to the other end and `normal` is the surface's. Of no use where the
-/// tangent turns too far.
+/// point there. Of no use where the tangent turns too far.
 struct Bulge {
   Vec3 offset;
   bool usable;
@@ -32,6 +31,8 @@ Bulge along(const Vec3& tangent, const Vec3& chord) noexcept {
   return {2 / (3 * cosine * (1 + cosine)) * tangent - chord / 3, true};
 }
 
+/// @param chord   from there to the edge's other end
+/// @param normal  the surface's
 Bulge in_plane(const Vec3& chord, const Vec3& normal) noexcept {
   return along(chord - chord.dot(normal) * normal, chord);
 }
@@ -78,7 +79,8 @@ double most_bulge_m(const Part& part, int t, int third, const Vec3& p_P, const V
   Vec3 inward = part.vertices.col(part.triangles(third, t)) - p_P;
   inward -= inward.dot(chord) / chord.squaredNorm() * chord;
   const double lead = bulge.dot(inward);
-  const bool leads_out = lead < 0 && lead * lead > 0.8 * bulge.squaredNorm() * inward.squaredNorm();
+  constexpr double cos2_aside = 0.8;  // to within 27 degrees of the plane
+  const bool leads_out = lead < 0 && lead * lead > cos2_aside * bulge.squaredNorm() * inward.squaredNorm();
   return leads_out ? std::numeric_limits<double>::infinity() : height_m(part, t) / 2;
 }
 

@@ -54,14 +54,15 @@ double turns_on(const Part& part, int t, const Vec3& face_normal) noexcept {
   return most;
 }
 
-double count_in(std::span<const FanFacet> fan, const FanFacet& facet, const FaceAreas& areas) noexcept {
+/// @param face_areas  that the fan's facets are held against, in their order
+double count_in(std::span<const FanFacet> fan, std::span<const double> face_areas, const FanFacet& facet,
+                const Part& part) noexcept {
   double counts = 1;
-  for (const FanFacet& face : fan) {
-    const double face_area = areas.of(face.at.triangle);
-    if (!(facet.doubled_area_m2 < full_share * face_area)) continue;
-    const double wide = 1 - smoothstep(ignored_share, full_share, facet.doubled_area_m2 / face_area);
+  for (std::size_t i = 0; i < fan.size(); ++i) {
+    if (!(facet.doubled_area_m2 < full_share * face_areas[i])) continue;
+    const double wide = 1 - smoothstep(ignored_share, full_share, facet.doubled_area_m2 / face_areas[i]);
     const double fillet =
-        smoothstep(round_turns_on, fillet_turns_on, turns_on(areas.part, facet.at.triangle, face.normal));
+        smoothstep(round_turns_on, fillet_turns_on, turns_on(part, facet.at.triangle, fan[i].normal));
     counts = std::min(counts, 1 - wide * fillet);
   }
   return counts;
@@ -101,9 +102,12 @@ Vec3 unit_or_zero(const Vec3& v) noexcept {
 FanShape fan_shape(const FaceAreas& areas, std::span<const FanFacet> fan) noexcept {
   FanShape shape;
   Vec3 wide = Vec3::Zero(), round = Vec3::Zero();
+  std::array<double, SmoothFan::most_facets> face_areas;
+  for (std::size_t i = 0; i < fan.size(); ++i) face_areas[i] = areas.of(fan[i].at.triangle);
   for (std::size_t i = 0; i < fan.size(); ++i) {
     const FanFacet& facet = fan[i];
-    const double counts = shape.counts[i] = count_in(fan, facet, areas);
+    const double counts = shape.counts[i] =
+        count_in(fan, std::span(face_areas).first(fan.size()), facet, areas.part);
     if (!(facet.doubled_area_m2 > 0)) continue;
     const double lengths2 = facet.first.squaredNorm() * facet.second.squaredNorm();
     const double half_angle =

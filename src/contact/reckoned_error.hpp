@@ -71,8 +71,8 @@ struct RegionError {
 ///
 /// A method that touches the patches themselves has no foot on facets. A patch whose own normals are turned
 /// off the shown ones by s shows normals off by 5/4 s, and stands off by half the height that a slope of s
-/// makes over the facet's width. Inside a rounding s turns the foot on the patch too, as above by
-/// |u| / (1 + u): 5/4 s / (1 + u) in all.
+/// makes over the facet's width. Inside a rounding that turns the foot on the patch too, as above by
+/// 5/4 s |u| / (1 + u): 5/4 s / (1 + u) in all.
 ///
 /// Held against exact surfaces (study contact: contact_accuracy.csv, auto_judged.csv) the first is right to a
 /// tenth; of the last the tilt is right to a tenth where it is a hundredth or more, and the height is between

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include "contact/curved_patch.hpp"
@@ -67,7 +68,8 @@ SurfacePlace place_on(const TriangleTree& tree, int t, const Vec3& b) {
   place.facet_rad = angle_of(facet, curved);
   place.smooth_rad = angle_of(normals_smooth.shade(tree, t, at, facet), curved);
   const Vec3 cross = on.x1.cross(on.x2);
-  if (cross.dot(facet) > 0) place.patch_rad = angle_of(cross.normalized(), curved);
+  // Of a folded patch nothing is known.
+  place.patch_rad = cross.dot(facet) > 0 ? angle_of(cross.normalized(), curved) : std::numbers::pi / 2;
   if (place.facet_rad > flat_rad) {
     const Vec3 leaning = curved - curved.dot(facet) * facet;
     place.curvature_per_m = curvature_along(patch, leaning);
