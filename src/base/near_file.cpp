@@ -95,7 +95,7 @@ std::filesystem::path near_file(const std::filesystem::path& path) {
 }
 
 std::filesystem::path near_folder(const std::filesystem::path& path) {
-  if (!path.has_filename()) return {};
+  if (!path.has_filename()) return path.has_relative_path() ? near_folder(path.parent_path()) : fs::path();
   std::error_code ignored;
   fs::path above = path.parent_path();
   if (!above.empty() && !fs::is_directory(above, ignored)) {

@@ -49,6 +49,11 @@ std::string missing_words(const fs::path& path, const char* what) {
   const fs::path folder = path.parent_path();
   if (!folder.empty() && !fs::exists(folder, ignored))
     return fmt::format("there is no such {}: {}", what, missing_folder_words(path));
+  const fs::path part = path.string() + ".part";
+  if (fs::is_regular_file(part, ignored))
+    return fmt::format(
+        "there is no such {}; of a recording by that name there is {}, cut short or still being written",
+        what, part.string());
   const fs::path near = std::string_view(what) == "file" ? near_file(path) : near_folder(path);
   return fmt::format("there is no such {}{}", what,
                      near.empty() ? "" : fmt::format("; did you mean {}?", near.string()));

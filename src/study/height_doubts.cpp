@@ -78,7 +78,7 @@ std::vector<std::string> height_doubts(const std::vector<RecordedTrial>& trials)
       if (landing == Landing::upwards) upwards.push_back(&trial);
       if (landing == Landing::downwards) ++downwards;
     }
-    if (std::ssize(upwards) > downwards) {
+    if (2 * upwards.size() > own.size()) {
       doubts.push_back(fmt::format(
           "{}: {}: is its height mirrored (z, where the normal is 0,0,1)? Then turn that column's sign; "
           "normal_stiffness_n_per_m and normal_exponent go by it, friction does not",
@@ -87,9 +87,10 @@ std::vector<std::string> height_doubts(const std::vector<RecordedTrial>& trials)
     }
     for (const RecordedTrial* trial : upwards)
       doubts.push_back(
-          fmt::format("{}: {}, and the other trials' is lower: is its height mirrored? "
-                      "normal_stiffness_n_per_m and normal_exponent go by it; --leave-out '{}' leaves it out",
-                      trial_name(*trial), rise_words(*trial), option_name(*trial, trials)));
+          fmt::format("{}: {}{}: is its height mirrored? normal_stiffness_n_per_m and normal_exponent go by "
+                      "it; --leave-out '{}' leaves it out",
+                      trial_name(*trial), rise_words(*trial),
+                      downwards > 0 ? ", and the other trials' is lower" : "", option_name(*trial, trials)));
   }
   return doubts;
 }

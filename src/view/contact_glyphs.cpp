@@ -78,10 +78,12 @@ ContactGlyphs contact_glyphs(const ContactMoment& moment, const DrawSpace& space
   if (moment.region) add_region(glyphs, moment, moment.rings, space, 0.02 * size, 0.04 * size);
   glyphs.solid.ball(contact, 0.22 * size, phase_colour(row.phase));
   if (row.stick_centre_W.allFinite()) {
-    // Beside the contact it leaves that in sight. On one of several walls it is a finger's radius off, and is
-    // looked for through the finger.
-    const double radius = row.walls > 1 ? 0.26 : 0.14;
-    glyphs.solid.ball(space.to_draw(row.stick_centre_W), radius * size, choice.ink.centre);
+    const Vec3 centre = space.to_draw(row.stick_centre_W);
+    // Of one of several walls it may stand a finger's radius off, and is looked for through the finger. Near
+    // the contact a small one leaves that in sight.
+    constexpr double large = 0.26;
+    const bool stands_off = row.walls > 1 && (centre - contact).norm() > large * size;
+    glyphs.solid.ball(centre, (stands_off ? large : 0.14) * size, choice.ink.centre);
   }
   if (choice.frame) {
     const Mat3 frame = tangent_frame(row.normal_W, moment.finger_direction_W);

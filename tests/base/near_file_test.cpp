@@ -73,6 +73,7 @@ TEST(NearFolder, MayBeMisspelledWithThoseThatLeadToIt) {
   EXPECT_EQ(near_folder(folder / "scenes" / "Parts"), folder / "scenes" / "parts");
   EXPECT_EQ(near_folder(folder / "scene" / "part"), folder / "scenes" / "parts");
   EXPECT_EQ(near_folder(folder / "scene" / "parts"), folder / "scenes" / "parts");
+  EXPECT_EQ(near_folder(folder / "scene" / ""), folder / "scenes") << "with a slash at its end";
   EXPECT_EQ(near_folder(folder / "motions" / "parts"), "");
   EXPECT_EQ(near_folder(folder / "scenes" / "run_2"), "");
 }

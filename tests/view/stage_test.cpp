@@ -239,6 +239,10 @@ TEST(ContactGlyphs, OfAFingerOnSeveralWallsHaveAStickCentreThatIsSeenThroughIt) 
   const double on_one = right_end_mm();
   moment.row.walls = 2;
   EXPECT_GT(right_end_mm(), on_one + 0.1 * choice.size_mm) << "a larger ball";
+  moment.row.stick_centre_W = moment.row.contact_W;
+  const double beside = right_end_mm();
+  moment.row.walls = 1;
+  EXPECT_EQ(right_end_mm(), beside) << "which would hide the contact that it stands on";
 }
 
 TEST(CloseUp, ShowsTheStickCentreOfAFingerOnSeveralWallsToo) {
