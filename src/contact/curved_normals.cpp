@@ -7,6 +7,8 @@
 #include <cmath>
 #include <vector>
 
+#include "base/smoothstep.hpp"
+#include "base/unit_vector.hpp"
 #include "contact/fan_shape.hpp"
 
 namespace fingerpad {

@@ -111,7 +111,7 @@ std::array<Vec3, 2> bulges(const CornerNormals& normals, int t, int k, const Cur
   const Vec3 &n_i = patch.corner_normal[i], &n_j = patch.corner_normal[j];
   Bulge at_i = in_plane(chord, n_i), at_j = in_plane(-chord, n_j);
   const int other = part.neighbours(k, t);
-  const bool is_crease = (part.creases[static_cast<std::size_t>(t)] >> k & 1) != 0;
+  const bool is_crease = has_crease(part, t, k);
   if (is_crease && other >= 0) {
     Vec3 beyond_i, beyond_j;
     if (!normals_beyond(normals, t, k, beyond_i, beyond_j)) return {Vec3::Zero(), Vec3::Zero()};

@@ -93,7 +93,7 @@ void look_at_edges(const Part& part, int t, double trusted_height_m, Edges& edge
     const Fold fold = fold_at(part, t, k);
     sum.contradicting_edges += fold.contradicts ? 2 : 0;
     if (fold.contradicts || !(fold.height_m > trusted_height_m)) continue;
-    take_fold(edges, fold, (part.creases[static_cast<std::size_t>(t)] >> k & 1) != 0);
+    take_fold(edges, fold, has_crease(part, t, k));
   }
 }
 

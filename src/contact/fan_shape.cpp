@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/smoothstep.hpp"
+#include "base/unit_vector.hpp"
 #include "contact/facet_rule.hpp"
 
 namespace fingerpad {
@@ -44,7 +46,7 @@ double turns_on(const Part& part, int t, const Vec3& face_normal) noexcept {
   const auto look_beyond = [&](int facet, const auto& look_on) {
     for (int k = 0; k < 3; ++k) {
       const int other = part.neighbours(k, facet);
-      if (other < 0 || (part.creases[static_cast<std::size_t>(facet)] >> k & 1) != 0) continue;
+      if (other < 0 || has_crease(part, facet, k)) continue;
       const Vec3 on = part.facet_normals.col(other) - normal;
       most = std::max(most, on.dot(turn) / turn2);
       if (on.squaredNorm() < two_planes_rad * two_planes_rad) look_on(other);
@@ -70,11 +72,6 @@ double count_in(std::span<const FanFacet> fan, std::span<const double> face_area
 
 }  // namespace
 
-double smoothstep(double from, double to, double x) noexcept {
-  const double s = std::clamp((x - from) / (to - from), 0.0, 1.0);
-  return s * s * (3 - 2 * s);
-}
-
 double doubled_face_area_m2(const Part& part, int t) noexcept {
   const Vec3 normal = part.facet_normals.col(t);
   const double own = doubled_area_m2(part, t);
@@ -92,11 +89,6 @@ double doubled_face_area_m2(const Part& part, int t) noexcept {
   };
   look_beyond(t, [&](int other) { look_beyond(other, [](int) {}); });
   return largest;
-}
-
-Vec3 unit_or_zero(const Vec3& v) noexcept {
-  const double length = v.norm();
-  return length > 0 ? Vec3(v / length) : Vec3::Zero();
 }
 
 FanShape fan_shape(const FaceAreas& areas, std::span<const FanFacet> fan) noexcept {

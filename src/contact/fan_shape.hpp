@@ -7,9 +7,6 @@
 
 namespace fingerpad {
 
-/// 0 up to `from`, 1 from `to` on; either may be the larger.
-double smoothstep(double from, double to, double x) noexcept;
-
 /// Twice the area of the flat face that a facet belongs to, as far as it is seen: the largest facet in its
 /// plane, itself where any lies there, up to its neighbours' neighbours. 0 where none does [m^2].
 double doubled_face_area_m2(const Part& part, int t) noexcept;
@@ -23,8 +20,6 @@ struct FaceAreas {
     return doubled_m2 != nullptr ? (*doubled_m2)[static_cast<std::size_t>(t)] : doubled_face_area_m2(part, t);
   }
 };
-
-Vec3 unit_or_zero(const Vec3& v) noexcept;
 
 /// What a fan says of the surface at its vertex.
 struct FanShape {

@@ -7,9 +7,9 @@
 #include <limits>
 
 #include "base/number_text.hpp"
-#include "study/file_trials.hpp"
 #include "study/named_trials.hpp"
 #include "study/pad_axes.hpp"
+#include "study/press_and_air.hpp"
 #include "study/sample_noise.hpp"
 
 namespace fingerpad {
@@ -30,20 +30,16 @@ Vec3 middle_of(const Points& places_W, const std::vector<Eigen::Index>& samples)
 /// From where the finger is in the air to where it presses; not a number where it never does one of them for
 /// long.
 Vec3 way_to_press_W(const RecordedTrial& trial) {
-  constexpr double pressed = 0.5, in_air = 0.25;  // of the trial's press
-  constexpr double least_s = 0.02;
   const double press_n = pressing_n(trial);
   const Vec3 none = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
   if (!(press_n > least_normal_force_n)) return none;
-  const Eigen::RowVectorXd along_n = along_normal_n(trial);
-  std::vector<Eigen::Index> pressing, airborne;
-  for (Eigen::Index i = 0; i < along_n.size(); ++i) {
-    if (trial.origin[static_cast<std::size_t>(i)] == SampleOrigin::missing) continue;
-    if (along_n[i] >= pressed * press_n) pressing.push_back(i);
-    if (along_n[i] < in_air * press_n) airborne.push_back(i);
+  auto [pressing, airborne] = press_and_air(along_normal_n(trial), press_n);
+  for (std::vector<Eigen::Index>* samples : {&pressing, &airborne}) {
+    std::erase_if(*samples, [&](Eigen::Index i) {
+      return trial.origin[static_cast<std::size_t>(i)] == SampleOrigin::missing;
+    });
+    if (!last_long(*samples, trial.rate_hz)) return none;
   }
-  const double least = std::max(1.0, least_s * trial.rate_hz);
-  if (static_cast<double>(std::min(pressing.size(), airborne.size())) < least) return none;
   const Points& places_W = trial.seen_W();
   return middle_of(places_W, pressing) - middle_of(places_W, airborne);
 }
@@ -66,32 +62,27 @@ std::string rise_words(const RecordedTrial& trial) {
 
 }  // namespace
 
-std::vector<std::string> height_doubts(const std::vector<RecordedTrial>& trials) {
-  std::vector<std::string> doubts;
-  for (std::size_t from = 0, to = 0; from < trials.size(); from = to) {
-    while (to < trials.size() && trials[to].file == trials[from].file) ++to;
-    const FileTrials own(trials.data() + from, to - from);
-    std::vector<const RecordedTrial*> upwards;
-    std::ptrdiff_t downwards = 0;
-    for (const RecordedTrial& trial : own) {
-      const Landing landing = landing_of(trial);
-      if (landing == Landing::upwards) upwards.push_back(&trial);
-      if (landing == Landing::downwards) ++downwards;
-    }
-    if (2 * upwards.size() > own.size()) {
-      doubts.push_back(fmt::format(
-          "{}: {}: is its height mirrored (z, where the normal is 0,0,1)? Then turn that column's sign; "
-          "normal_stiffness_n_per_m and normal_exponent go by it, friction does not",
-          upwards.front()->file, rise_words(*upwards.front())));
-      continue;
-    }
-    for (const RecordedTrial* trial : upwards)
-      doubts.push_back(
-          fmt::format("{}: {}{}: is its height mirrored? normal_stiffness_n_per_m and normal_exponent go by "
-                      "it; --leave-out '{}' leaves it out",
-                      trial_name(*trial), rise_words(*trial),
-                      downwards > 0 ? ", and the other trials' is lower" : "", option_name(*trial, trials)));
+std::vector<std::string> height_doubts(FileTrials own, const std::vector<RecordedTrial>& all) {
+  std::vector<const RecordedTrial*> upwards;
+  bool others_are_lower = false;
+  for (const RecordedTrial& trial : own) {
+    const Landing landing = landing_of(trial);
+    if (landing == Landing::upwards) upwards.push_back(&trial);
+    others_are_lower = others_are_lower || landing == Landing::downwards;
   }
+  if (2 * upwards.size() > own.size())
+    return {fmt::format(
+        "{}: {}: is its height mirrored (z, where the normal is 0,0,1)? Then turn that column's sign; "
+        "normal_stiffness_n_per_m and normal_exponent go by it, friction does not",
+        upwards.front()->file, rise_words(*upwards.front()))};
+  std::vector<std::string> doubts;
+  doubts.reserve(upwards.size());
+  for (const RecordedTrial* trial : upwards)
+    doubts.push_back(
+        fmt::format("{}: {}{}: is its height mirrored? normal_stiffness_n_per_m and normal_exponent go by "
+                    "it; --leave-out '{}' leaves it out",
+                    trial_name(*trial), rise_words(*trial),
+                    others_are_lower ? ", and other trials' is lower" : "", option_name(*trial, all)));
   return doubts;
 }
 

@@ -30,11 +30,20 @@ MeasurementFormat with_told(const RecordedMeasurement& recorded, const std::stri
   return format;
 }
 
+std::vector<UnitDoubt> doubts_of_units(const RecordedMeasurement& recorded, FileTrials own,
+                                       const MeasurementFormat& format) {
+  const std::string& file = own.front().file;
+  const auto told = recorded.told_units.find(file);
+  const bool tells_times =
+      told != recorded.told_units.end() && told->second[static_cast<std::size_t>(Quantity::time)].has_value();
+  return unit_doubts(own, with_told(recorded, file, format), tells_times);
+}
+
 }  // namespace
 
 void refuse_doubtful(const RecordedMeasurement& recorded, const MeasurementFormat& format, double delay_s) {
   each_file(recorded, [&](FileTrials own) {
-    for (const UnitDoubt& doubt : unit_doubts(own, with_told(recorded, own.front().file, format)))
+    for (const UnitDoubt& doubt : doubts_of_units(recorded, own, format))
       if (doubt.is_refused) throw refused(own.front().file, doubt.words);
     ask_for_signs(own, format, delay_s);
   });
@@ -42,24 +51,25 @@ void refuse_doubtful(const RecordedMeasurement& recorded, const MeasurementForma
 
 std::vector<std::string> doubts_of(const RecordedMeasurement& recorded, const MeasurementFormat& format) {
   std::vector<std::string> told;
-  bool doubts_times = false;
+  bool trials_can_be_odd = true;
   each_file(recorded, [&](FileTrials own) {
-    for (const UnitDoubt& doubt : unit_doubts(own, with_told(recorded, own.front().file, format))) {
+    const std::string& file = own.front().file;
+    bool doubts_times = false;
+    for (const UnitDoubt& doubt : doubts_of_units(recorded, own, format)) {
       doubts_times = doubts_times || doubt.is_of_times;
-      if (!doubt.is_refused) told.push_back(fmt::format("{}: {}", own.front().file, doubt.words));
+      if (!doubt.is_refused) told.push_back(fmt::format("{}: {}", file, doubt.words));
     }
+    const std::string swapped = doubts_times ? "" : swapped_forces_doubt(own);
+    if (!swapped.empty()) told.push_back(fmt::format("{}: {}", file, swapped));
+    if (doubts_times || !swapped.empty()) {
+      trials_can_be_odd = false;
+      return;
+    }
+    const std::vector<std::string> heights = height_doubts(own, recorded.trials);
+    told.insert(told.end(), heights.begin(), heights.end());
   });
-  if (doubts_times) return told;  // by wrong times no trial's friction says anything
-  bool are_swapped = false;
-  each_file(recorded, [&](FileTrials own) {
-    const std::string words = swapped_forces_doubt(own);
-    if (words.empty()) return;
-    are_swapped = true;
-    told.push_back(fmt::format("{}: {}", own.front().file, words));
-  });
-  if (are_swapped) return told;  // by the wrong normal force no trial is odd
-  const std::vector<std::string> heights = height_doubts(recorded.trials);
-  told.insert(told.end(), heights.begin(), heights.end());
+  // By wrong times or the wrong normal force of some all trials are odd, or none.
+  if (!trials_can_be_odd) return told;
   const std::vector<std::string> odd = odd_trial_doubts(recorded.trials);
   told.insert(told.end(), odd.begin(), odd.end());
   return told;

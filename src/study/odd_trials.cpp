@@ -99,9 +99,13 @@ struct UsualTrial {
     reach_m = usual_size(reaches_m, 0.05);
     if (trials.size() < fewest_in_file) return;
     work_share = usual(trials, fingerpad::work_share);
+    std::vector<Vec3> drives;
+    drives.reserve(trials.size());
+    for (const RecordedTrial& trial : trials) drives.push_back(drive_of(trial, 0).by_axis);
     for (int axis = 0; axis < 3; ++axis)
-      work_by_axis[axis] =
-          usual(trials, [axis](const RecordedTrial& trial) { return drive_of(trial, 0).by_axis[axis]; });
+      work_by_axis[axis] = usual(trials, [&](const RecordedTrial& trial) {
+        return drives[static_cast<std::size_t>(&trial - trials.data())][axis];
+      });
   }
 };
 

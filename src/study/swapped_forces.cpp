@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "motion/pressed_force.hpp"
+#include "study/press_and_air.hpp"
 #include "study/sample_noise.hpp"
 
 namespace fingerpad {
@@ -29,43 +29,23 @@ double mean_size(const std::vector<double>& forces_n) {
   return forces_n.empty() ? 0 : sizes / static_cast<double>(forces_n.size());
 }
 
-std::vector<double> along(const RecordedTrial& trial, const Vec3& axis_W) {
-  const Eigen::RowVectorXd forces_n = axis_W.transpose() * trial.force_W;
-  return {forces_n.begin(), forces_n.end()};
-}
-
-/// A trial's samples where the force along one axis is half of what it usually is, or more, and those where
-/// it is as good as none.
-struct PressAndAir {
-  std::vector<std::size_t> press, air;
-};
-
-PressAndAir press_and_air(const std::vector<double>& forces_n) {
-  constexpr double pressed = 0.5, in_air = 0.25;
-  const double usual_n = std::abs(pressed_median_n(forces_n));
-  PressAndAir samples;
-  for (std::size_t i = 0; i < forces_n.size(); ++i) {
-    if (std::abs(forces_n[i]) >= pressed * usual_n) samples.press.push_back(i);
-    if (std::abs(forces_n[i]) < in_air * usual_n) samples.air.push_back(i);
-  }
-  return samples;
-}
-
-std::vector<double> some_of(const std::vector<double>& forces_n, const std::vector<std::size_t>& samples) {
+std::vector<double> some_of(const Eigen::RowVectorXd& forces_n, const std::vector<Eigen::Index>& samples) {
   std::vector<double> some;
   some.reserve(samples.size());
-  for (const std::size_t i : samples) some.push_back(forces_n[i]);
+  for (const Eigen::Index i : samples) some.push_back(forces_n[i]);
   return some;
 }
 
 /// Whether an axis presses in the place of the normal, along which friction acts then. The air before and
 /// after it tells the sensor's offset; without it nothing is told.
 bool presses_instead(const RecordedTrial& trial, const Vec3& axis_W) {
-  constexpr double press_share = 0.9, friction_share = 0.6, least_times = 2.5, least_air_s = 0.02;
+  constexpr double press_share = 0.9, friction_share = 0.6, least_times = 2.5;
   constexpr double beyond_noise = 10;
-  const std::vector<double> normal_n = along(trial, trial.normal_W), other_n = along(trial, axis_W);
-  const PressAndAir samples = press_and_air(other_n);
-  if (static_cast<double>(samples.air.size()) < std::max(1.0, least_air_s * trial.rate_hz)) return false;
+  const Eigen::RowVectorXd normal_n = along_normal_n(trial), other_n = axis_W.transpose() * trial.force_W;
+  const PressAndAir samples =
+      press_and_air(other_n.cwiseAbs(),
+                    std::abs(pressed_median_n({other_n.data(), static_cast<std::size_t>(other_n.size())})));
+  if (!last_long(samples.air, trial.rate_hz)) return false;
   const std::vector<double> press_n = some_of(other_n, samples.press);
   std::vector<double> friction_n = some_of(normal_n, samples.press);
   if (!(one_sign_share(press_n) > press_share)) return false;
@@ -73,7 +53,8 @@ bool presses_instead(const RecordedTrial& trial, const Vec3& axis_W) {
   const double offset_n = median_of(some_of(normal_n, samples.air));
   for (double& force_n : friction_n) force_n -= offset_n;
   return one_sign_share(friction_n) < friction_share &&
-         mean_size(friction_n) > beyond_noise * sample_noise(normal_n);
+         mean_size(friction_n) >
+             beyond_noise * sample_noise({normal_n.data(), static_cast<std::size_t>(normal_n.size())});
 }
 
 /// -1: none.

@@ -7,6 +7,7 @@
 #include "motion/driving_share.hpp"
 #include "study/file_trials.hpp"
 #include "study/pad_axes.hpp"
+#include "study/press_and_air.hpp"
 #include "study/six_axis_sensor.hpp"
 
 namespace fingerpad {
@@ -16,22 +17,16 @@ namespace {
 /// differ from those in the air. The others are no numbers: no friction acts on a finger in the air, and the
 /// sensor's offset would be taken for one.
 Points pressed_force_W(const RecordedTrial& trial) {
-  constexpr double pressed = 0.5, in_air = 0.25;  // of the trial's press
-  constexpr double least_air_s = 0.02;
   const double press_n = pressing_n(trial), none = std::numeric_limits<double>::quiet_NaN();
   if (!(press_n > least_normal_force_n)) return Points::Constant(3, trial.samples(), none);
-  const Eigen::RowVectorXd along_n = along_normal_n(trial);
-  Vec3 air_W = Vec3::Zero();
-  double air_count = 0;
-  for (Eigen::Index i = 0; i < along_n.size(); ++i) {
-    if (!(along_n[i] < in_air * press_n)) continue;
-    air_W += trial.force_W.col(i);
-    ++air_count;
+  const PressAndAir samples = press_and_air(along_normal_n(trial), press_n);
+  Vec3 offset_W = Vec3::Zero();
+  if (last_long(samples.air, trial.rate_hz)) {
+    for (const Eigen::Index i : samples.air) offset_W += trial.force_W.col(i);
+    offset_W /= static_cast<double>(samples.air.size());
   }
-  const bool has_air = air_count >= std::max(1.0, least_air_s * trial.rate_hz);
-  Points forces_W = trial.force_W.colwise() - (has_air ? Vec3(air_W / air_count) : Vec3(Vec3::Zero()));
-  for (Eigen::Index i = 0; i < along_n.size(); ++i)
-    if (!(along_n[i] >= pressed * press_n)) forces_W.col(i).setConstant(none);
+  Points forces_W = Points::Constant(3, trial.samples(), none);
+  for (const Eigen::Index i : samples.press) forces_W.col(i) = trial.force_W.col(i) - offset_W;
   return forces_W;
 }
 

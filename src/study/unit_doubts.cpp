@@ -17,20 +17,22 @@ constexpr std::string_view units_checked =
 
 /// "if they are in us, which makes 1000 a second, say --time-unit us"; empty where no other unit makes it a
 /// recorder's rate, at which the finger goes as one does.
-std::string likely_time_unit(FileTrials trials, double rate_hz, double seconds_per_unit) {
+std::string likely_time_unit(FileTrials trials, double rate_hz, double seconds_per_unit, bool tells_times) {
   constexpr double slowest_hz = 50, fastest_hz = 20e3, slowest = 1e-3, fastest = 1.5;
   const double speed = usual(trials, fastest_m_per_s);
   for (const TimeUnit& unit : time_units) {
     const double times = seconds_per_unit / unit.seconds, likely_hz = rate_hz * times;
     if (likely_hz < slowest_hz || likely_hz > fastest_hz) continue;
     if (speed * times < slowest || speed * times > fastest) continue;
-    return fmt::format("if they are in {0}, which makes {1} a second, say --time-unit {0}", unit.name,
-                       rounded_text(likely_hz, 4));
+    return fmt::format("if they are in {0}, which makes {1} a second, {2} {0}", unit.name,
+                       rounded_text(likely_hz, 4),
+                       tells_times ? "the unit that its table tells of them is to be" : "say --time-unit");
   }
   return {};
 }
 
-void doubt_times(FileTrials trials, const MeasurementFormat& format, std::vector<UnitDoubt>& doubts) {
+void doubt_times(FileTrials trials, const MeasurementFormat& format, bool tells_times,
+                 std::vector<UnitDoubt>& doubts) {
   constexpr double slowest_hz = 20, fastest_hz = 100e3, refused_hz = 200e3;
   const double rate_hz = usual(trials, [](const RecordedTrial& trial) { return trial.rate_hz; });
   if (rate_hz >= slowest_hz && rate_hz <= fastest_hz) return;
@@ -43,7 +45,7 @@ void doubt_times(FileTrials trials, const MeasurementFormat& format, std::vector
          true});
     return;
   }
-  const std::string likely = likely_time_unit(trials, rate_hz, format.seconds_per_unit);
+  const std::string likely = likely_time_unit(trials, rate_hz, format.seconds_per_unit, tells_times);
   doubts.push_back(
       {false,
        fmt::format("its times give {} samples a second, at which no finger is measured: {}",
@@ -116,9 +118,9 @@ void doubt_torques(FileTrials trials, const MeasurementFormat& format, std::vect
 
 }  // namespace
 
-std::vector<UnitDoubt> unit_doubts(FileTrials trials, const MeasurementFormat& format) {
+std::vector<UnitDoubt> unit_doubts(FileTrials trials, const MeasurementFormat& format, bool tells_times) {
   std::vector<UnitDoubt> doubts;
-  doubt_times(trials, format, doubts);
+  doubt_times(trials, format, tells_times, doubts);
   doubt_torques(trials, format, doubts);  // which places may be told from
   doubt_positions(trials, format, doubts);
   doubt_forces(trials, format, doubts);

@@ -16,7 +16,8 @@ struct UnitDoubt {
 };
 
 /// Of times, torques, positions and forces, in that order.
-/// @param format  with the units said that the file's own table tells
-std::vector<UnitDoubt> unit_doubts(FileTrials trials, const MeasurementFormat& format);
+/// @param format       with the units said that the file's own table tells
+/// @param tells_times  the table tells that of its times, against which none can be said
+std::vector<UnitDoubt> unit_doubts(FileTrials trials, const MeasurementFormat& format, bool tells_times);
 
 }  // namespace fingerpad

@@ -1,5 +1,4 @@
 #include "view/comparison.hpp"
-#include "view/several_walls.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -13,6 +12,7 @@
 #include "base/number_text.hpp"
 #include "touch/tick_record.hpp"
 #include "trace/trace_choice.hpp"
+#include "view/several_walls.hpp"
 
 namespace fingerpad {
 namespace {

@@ -76,6 +76,32 @@ TEST(CurvedNormals, WhereAFilletTurnsFasterThanItsWallStayWithTheWall) {
   }
 }
 
+/// A cone's mantle of so many facets, whose tip is not in its middle, so that they are unlike.
+TriangleSoup leaning_cone(int facets) {
+  TriangleSoup soup;
+  soup.vertices_P.resize(3, facets + 1);
+  soup.triangles.resize(3, facets);
+  soup.vertices_P.col(facets) << 0.3, 0, 0.2;
+  for (int i = 0; i < facets; ++i) {
+    const double angle = 2 * M_PI * i / facets;
+    soup.vertices_P.col(i) << std::cos(angle), std::sin(angle), 0;
+    soup.triangles.col(i) << i, (i + 1) % facets, facets;
+  }
+  return soup;
+}
+
+TEST(CurvedNormals, OfTooManyFacetsAreThePartsOwn) {
+  for (const auto& [facets, is_own] : {std::pair(64, false), std::pair(65, true)}) {
+    const Part part = make_part(leaning_cone(facets), crease_rad);
+    const Points table = curved_corner_normals(part);
+    for (int t = 0; t < facets; ++t) {
+      const Vec3 n = curved_corner_normal(part, t, 2), own = part.corner_normals.col(3 * t + 2);
+      ASSERT_EQ(n == own, is_own) << facets;
+      ASSERT_EQ(Vec3(table.col(3 * t + 2)), n);
+    }
+  }
+}
+
 TEST(CurvedNormals, AreOneInAFanAndTheSameBitsInATable) {
   for (const TriangleSoup& soup : {test::torus_soup(1, 0.4, 24, 16), uneven_sphere(), test::uneven_drum(),
                                    test::filleted_bar(8, 3, 0.02), test::rounded_drum(24, 4, 0.8)}) {

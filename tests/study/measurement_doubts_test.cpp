@@ -285,6 +285,31 @@ TEST(MeasurementDoubts, AMirroredHeightIsToldByTheAir) {
               ElementsAre(AllOf(HasSubstr("trial 3: its finger is "), HasSubstr("--leave-out"))));
 }
 
+TEST(MeasurementDoubts, OneTrialsHeightDoesNotSpeakForOthersThatHaveNoAir) {
+  test::KnownSensors airless = test::bad_sensors();
+  airless.air_s = 0;
+  RecordedMeasurement recorded = test::known_measurement({rubs[1], rubs[1], rubs[1]}, {}, airless, 1);
+  recorded.trials[1] = test::known_measurement({rubs[1]}, {}, test::bad_sensors(), 1).trials[0];
+  recorded.trials[1].position_W.row(2) *= -1;
+  const std::vector<std::string> doubts = doubts_of(recorded, {});
+  EXPECT_THAT(doubts,
+              testing::Contains(AllOf(HasSubstr("mm higher where it presses"), HasSubstr("--leave-out"))));
+  EXPECT_THAT(doubts, testing::Not(testing::Contains(HasSubstr("turn that column's sign"))));
+  EXPECT_THAT(doubts, testing::Not(testing::Contains(HasSubstr("other trials' is lower"))))
+      << "of them nothing is known";
+}
+
+TEST(MeasurementDoubts, AUnitThatTheTableTellsIsNotToBeSaidOtherwise) {
+  RecordedMeasurement recorded = test::known_measurement(rubs, {}, test::bad_sensors(), 1);
+  for (RecordedTrial& trial : recorded.trials) trial.rate_hz /= 1000;
+  recorded.told_units[recorded.trials[0].file][static_cast<std::size_t>(Quantity::time)] = 1e-3;
+  EXPECT_THAT(
+      doubts_of(recorded, {}),
+      testing::ElementsAre(AllOf(HasSubstr("if they are in us, which makes 1000 a second, the unit that its "
+                                           "table tells of them is to be us"),
+                                 testing::Not(HasSubstr("--time-unit")))));
+}
+
 TEST(MeasurementDoubts, APlateThatIsNotLevelIsNotMirrored) {
   // It lands at the low end of the plate and is lifted there, 10 degrees off level.
   EXPECT_THAT(warned(
