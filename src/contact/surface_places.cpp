@@ -82,6 +82,17 @@ SurfacePlace place_on(const TriangleTree& tree, int t, const Vec3& b) {
   return place;
 }
 
+/// Which of the cubes along each axis a point of the part lies in.
+std::array<int, 3> cube_of(const Part& part, const Vec3& x) noexcept {
+  const double wide_m = 2 * part.half_extent.maxCoeff() / regions_along;
+  std::array<int, 3> cube;
+  for (int i = 0; i < 3; ++i) {
+    const auto along = static_cast<int>((x[i] + part.half_extent[i]) / wide_m);
+    cube[static_cast<std::size_t>(i)] = std::clamp(along, 0, regions_along - 1);
+  }
+  return cube;
+}
+
 /// Spread evenly over triangles, whatever their number: the R2 sequence (Roberts 2018), folded.
 Vec3 spread(std::size_t i) {
   double u = std::fmod(0.5 + static_cast<double>(i) * 0.7548776662466927, 1.0);
@@ -106,13 +117,15 @@ std::vector<SurfacePlace> by_region(const std::vector<SurfacePlace>& places) {
 }  // namespace
 
 int region_of(const Part& part, const Vec3& x) noexcept {
-  const double wide_m = 2 * part.half_extent.maxCoeff() / regions_along;
-  int region = 0;
-  for (int i = 0; i < 3; ++i) {
-    const auto along = static_cast<int>((x[i] + part.half_extent[i]) / wide_m);
-    region = regions_along * region + std::clamp(along, 0, regions_along - 1);
-  }
-  return region;
+  const std::array<int, 3> cube = cube_of(part, x);
+  return (cube[0] * regions_along + cube[1]) * regions_along + cube[2];
+}
+
+bool reaches_region(const Part& part, const Vec3& low, const Vec3& high, int region) noexcept {
+  const std::array<int, 3> from = cube_of(part, low), to = cube_of(part, high);
+  for (std::size_t i = 3; i-- > 0; region /= regions_along)
+    if (region % regions_along < from[i] || region % regions_along > to[i]) return false;
+  return true;
 }
 
 std::vector<SurfacePlace> surface_places(const TriangleTree& tree, double trusted_height_m) {

@@ -30,6 +30,10 @@ struct SurfacePlace {
 /// @param x  relative to the part's centre [m]
 int region_of(const Part& part, const Vec3& x) noexcept;
 
+/// Whether a box reaches into a region.
+/// @param low, high  its corners, relative to the part's centre [m]
+bool reaches_region(const Part& part, const Vec3& low, const Vec3& high, int region) noexcept;
+
 /// Region by region. At 16,384 places, and at no more than 64 times the triangles. On all threads, the same
 /// on any number of them. A facet that is lower than this over its longest edge has no normal that is
 /// believed, and no place.

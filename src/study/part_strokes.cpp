@@ -21,18 +21,41 @@ struct Landing {
   Vec3 at_P, normal_P;
 };
 
-/// A place, relative to the part's centre, in a region or (-1) anywhere.
-Landing drawn_landing(const Part& part, const RandomPlaces& places, RandomStream& random, int region) {
-  constexpr int most_draws = 20000;  // more than a region's share needs, which is at least a two-thousandth
-  const auto draw = [&] {
-    const int t = places.triangle(random);
-    return Landing{places.point(t, Vec3::Zero(), random), part.facet_normals.col(t)};
-  };
-  Landing landing = draw();
-  for (int tries = 0; region >= 0 && tries < most_draws && region_of(part, landing.at_P) != region; ++tries)
-    landing = draw();
-  return landing;
-}
+/// Places of a part's surface, relative to its centre, in a region or (-1) anywhere.
+class LandingPlaces {
+ public:
+  LandingPlaces(const Part& part, int region) : part_(part), places_(part), region_(region) {
+    if (region < 0) return;
+    const double slack_m = 1e-12 * part.size_m();  // by which rounding puts a point beside its triangle
+    may_be_there_.reserve(static_cast<std::size_t>(part.triangle_count()));
+    for (int t = 0; t < part.triangle_count(); ++t) {
+      Eigen::AlignedBox3d box;
+      for (const int corner : part.triangles.col(t)) box.extend(part.vertices.col(corner));
+      const Vec3 slack = Vec3::Constant(slack_m);
+      may_be_there_.push_back(reaches_region(part, box.min() - slack, box.max() + slack, region));
+    }
+  }
+
+  Landing draw(RandomStream& random) const {
+    constexpr int most_draws = 20000;  // more than a region's share needs, which is at least a two-thousandth
+    for (int tries = 0;; ++tries) {
+      const int t = places_.triangle(random);
+      const bool is_last = region_ < 0 || tries == most_draws;
+      if (!is_last && !may_be_there_[static_cast<std::size_t>(t)]) {
+        RandomPlaces::pass_point(random);
+        continue;
+      }
+      const Landing landing{places_.point(t, Vec3::Zero(), random), part_.facet_normals.col(t)};
+      if (is_last || region_of(part_, landing.at_P) == region_) return landing;
+    }
+  }
+
+ private:
+  const Part& part_;
+  RandomPlaces places_;
+  int region_;
+  std::vector<bool> may_be_there_;  // a triangle's points
+};
 
 /// Whether a finger can come down there: it fits at its start, and nothing is in its centre's way.
 bool is_free(const TriangleTree& tree, const Landing& landing, double height_m, double radius_m) {
@@ -71,11 +94,11 @@ std::vector<FingerPath> strokes_over(const Surface& surface, const Scene& scene,
   const Part& part = *surface.part;
   const double rate_hz = scene.motion.rate_hz, radius_m = scene.finger.radius_m;
   const double greatest_m = scene.contact.greatest_force_n / surface.properties.stiffness_n_per_m;
-  const RandomPlaces lottery(part);
+  const LandingPlaces landings(part, plan.region);
   RandomStream random(plan.seed);
   std::vector<FingerPath> strokes;
   for (int tries = 0; tries < 20 * plan.count && static_cast<int>(strokes.size()) < plan.count; ++tries) {
-    const Landing landing = drawn_landing(part, lottery, random, plan.region);
+    const Landing landing = landings.draw(random);
     const Vec3 n = surface.R_WP * landing.normal_P;
     const double depth_m = greatest_m * drawn_press(plan.press, strokes.size() % 2 != 0, random);
     std::vector<Vec3> ways_W;

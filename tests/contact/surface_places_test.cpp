@@ -83,5 +83,20 @@ TEST(SurfacePlaces, GoRegionByRegion) {
   EXPECT_EQ(regions.size(), 4u * 8);
 }
 
+TEST(SurfacePlaces, ABoxReachesTheRegionsOfItsPointsAndNoOther) {
+  const Part part = make_part(test::box_soup({0.08, 0.05, 0.003}), std::numbers::pi / 6);
+  const Vec3 low(-0.013, -0.001, -0.0015), high(0.011, 0.012, 0.001);
+  std::set<int> theirs, reached;
+  constexpr int points = 16;  // nearer to each other than regions are wide
+  for (int i = 0; i <= points; ++i)
+    for (int j = 0; j <= points; ++j)
+      for (int k = 0; k <= points; ++k)
+        theirs.insert(region_of(part, low + Vec3(i, j, k).cwiseProduct(high - low) / points));
+  for (int region = 0; region < 8 * 8 * 8; ++region)
+    if (reaches_region(part, low, high, region)) reached.insert(region);
+  EXPECT_GT(theirs.size(), 4u);
+  EXPECT_EQ(reached, theirs);
+}
+
 }  // namespace
 }  // namespace fingerpad::surface_places_test
