@@ -173,8 +173,9 @@ void add_plot(CLI::App& program, Action& action) {
   command
       ->add_option(
           "--columns", options->columns,
-          "What is overlaid: a trace's columns, or friction, which is along the sliding direction and "
-          "negative where it holds the finger back; parted by commas")
+          "What is overlaid: a trace's columns, or friction, which is along the line that all rub straight "
+          "along, or else along each one's sliding and negative where it holds the finger back; parted by "
+          "commas")
       ->delimiter(',')
       ->default_str("fn_n,friction,mu, or the forces and mu that all have");
   command->add_option("--from", options->from_s, "Leave out what is earlier [s]")->default_str("start");

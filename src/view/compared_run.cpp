@@ -30,12 +30,6 @@ bool is_comparable(const TraceColumn& column) {
   return column.name != "t_s" && column.kind != ColumnKind::phase && column.kind != ColumnKind::index;
 }
 
-/// As one run is drawn: a straight rub over a flat place along the world's axis, or every reversal that falls
-/// between two ticks would count as twice the friction.
-std::vector<double> friction_of(const std::vector<TickRecord>& rows) {
-  return touch_series(rows, main_direction(rows)).friction_n;
-}
-
 /// Where in a trace the ticks of another stand that has some of them; empty where one is not there.
 std::vector<std::size_t> places_of(const std::vector<double>& fewer_t_s, const std::vector<double>& t_s) {
   std::vector<std::size_t> places;
@@ -88,7 +82,8 @@ void tell_by_some(ComparedRun& run, const std::vector<TickRecord>& rows,
                   const std::vector<std::size_t>& places, Over over) {
   const std::vector<TickRecord> some = rows_at(rows, places);
   for (ComparedColumn& column : run.columns) {
-    if (column.name == "friction") column.thinned = among_all(friction_of(some), places, rows.size());
+    if (column.name == "friction")
+      column.thinned = among_all(friction_along_sliding(some), places, rows.size());
   }
   if (over == Over::time) return;
   run.x = way_by_some(run.x, run.t_s, abscissa(some, over), places);
@@ -125,7 +120,8 @@ ComparedRun of_trace(const std::string& path, Over over, double from_s, double t
     run.columns.push_back(std::move(values));
   }
   if (!trace.missing.empty()) return run;
-  run.columns.push_back({"friction", "N", friction_of(trace.rows)});
+  run.columns.push_back({"friction", "N", friction_along_sliding(trace.rows)});
+  run.rub = rub_line(trace.rows);
   const std::vector<std::size_t> places = places_of(fewer_t_s, run.t_s);
   if (!places.empty()) tell_by_some(run, trace.rows, places, over);
   return run;

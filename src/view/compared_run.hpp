@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "view/abscissa.hpp"
+#include "view/touch_series.hpp"
 
 namespace fingerpad {
 
@@ -35,6 +36,7 @@ struct ComparedRun {
   std::string ends_early = {};   ///< early_end_words() of its trace
   double lasts_s = 0;            ///< the whole file, what is left out too
   std::size_t file_rows = 0;     ///< likewise
+  RubLine rub = {};              ///< of a trace
 };
 
 /// Reads a trace, or a table with a column t_s and others named as a trace's (fx_n, fn_n, x_m). Over

@@ -230,9 +230,10 @@ Comparison compare_runs(std::vector<ComparedRun> runs, const std::vector<std::st
     }
   }
   if (runs.size() > 1) comparison.notes.push_back("residuals: less the first, " + runs[0].name);
-  if (std::find(comparison.columns.begin(), comparison.columns.end(), "friction") != comparison.columns.end())
-    comparison.notes.push_back(
-        "friction: along the sliding direction, negative where it holds the finger back");
+  if (std::ranges::find(comparison.columns, "friction") != comparison.columns.end()) {
+    comparison.friction = share_friction_sense(runs);
+    comparison.notes.push_back(comparison.friction.sentence);
+  }
   const bool shows_normal_force = std::ranges::any_of(
       comparison.columns, [](const std::string& name) { return name == "fn_n" || name == "mu"; });
   if (shows_normal_force && std::ranges::any_of(runs, &ComparedRun::several_walls))

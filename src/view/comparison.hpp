@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "view/compared_run.hpp"
+#include "view/friction_sense.hpp"
 
 namespace fingerpad {
 
@@ -22,6 +23,7 @@ struct Comparison {
   std::vector<std::string> columns;  ///< drawn, in order
   std::vector<Residual> residuals;   ///< by column, then by run
   std::vector<std::string> notes;    ///< at which ticks they were compared, and what was interpolated
+  FrictionSense friction;            ///< of all runs, where friction is drawn
 };
 
 /// Compares runs with the first. Two runs are compared where both are there, at the ticks of the one that has

@@ -37,9 +37,9 @@ std::vector<double> scaled_by(const std::vector<double>& values, double factor) 
   return out;
 }
 
-std::string words_for_column(const std::string& name) {
-  if (name == "friction") return "friction along sliding (- against it)";
-  return name;
+std::string words_for_column(const std::string& name, const FrictionSense& friction) {
+  if (name != "friction") return name;
+  return fmt::format("friction along {} ({})", friction.along, friction.sign);
 }
 
 /// " N"; nothing for a pure number.
@@ -63,12 +63,18 @@ ChartPanel panel_of(const std::string& y_label, const std::string& short_y_label
   return panel;
 }
 
+/// Beside a panel that is too low for more.
+std::string short_words_for_column(const std::string& name, const FrictionSense& friction) {
+  return name == "friction" && friction.along != "sliding" ? "friction " + friction.along : name;
+}
+
 void add_column_panels(Chart& chart, const Comparison& comparison, const std::string& name, Over over) {
   const auto of_name = [&](const auto& column) { return column.name == name; };
   const auto& of_first = comparison.runs[0].columns;
   const Shown shown = shown_in(std::find_if(of_first.begin(), of_first.end(), of_name)->unit);
-  ChartPanel values = panel_of(fmt::format("{} [{}]", words_for_column(name), shown.unit),
-                               fmt::format("{} [{}]", name, shown.unit), over);
+  ChartPanel values =
+      panel_of(fmt::format("{} [{}]", words_for_column(name, comparison.friction), shown.unit),
+               fmt::format("{} [{}]", short_words_for_column(name, comparison.friction), shown.unit), over);
   values.y_from_zero = name == "friction";  // its sign says which way it acts
   const bool names_once = comparison.runs.size() > most_named_everywhere;
   for (std::size_t i = 0; i < comparison.runs.size(); ++i) {
@@ -81,7 +87,7 @@ void add_column_panels(Chart& chart, const Comparison& comparison, const std::st
   chart.panels.push_back(std::move(values));
   if (comparison.runs.size() < 2) return;
   ChartPanel left = panel_of(fmt::format("residual of {} [{}]", name, shown.unit),
-                             fmt::format("res. {} [{}]", name, shown.unit), over);
+                             fmt::format("residual [{}]", shown.unit), over);
   for (const Residual& residual : comparison.residuals) {
     if (residual.column != name) continue;
     const std::string name = names_once ? "" : comparison.runs[residual.run].name + ": ";

@@ -6,20 +6,13 @@
 namespace fingerpad {
 namespace {
 
+constexpr double half_degree_cosine = 0.99996192;
+
 /// Not s, which is how far the finger has gone along the surface (Over::travel).
 constexpr const char* turned_direction_name = "u";
 
 const Vec3& place_of(const TickRecord& row) {
   return row.phase == Phase::free ? row.p_WQ : row.contact_W;
-}
-
-std::string name_of(const Vec3& direction_W) {
-  constexpr double half_degree_cosine = 0.99996192;
-  constexpr const char* names[] = {"x", "y", "z"};
-  for (int axis = 0; axis < 3; ++axis) {
-    if (direction_W[axis] > half_degree_cosine) return names[axis];
-  }
-  return turned_direction_name;
 }
 
 /// Whether the finger rubs along one line over a place where the surface does not turn, to half a degree.
@@ -59,7 +52,38 @@ bool is_lifted_off(std::span<const TickRecord> rows, std::size_t stick) {
   return i < rows.size() && rows[i].phase == Phase::free;
 }
 
+bool moves_in_touch(std::span<const TickRecord> rows) {
+  const TickRecord* first = nullptr;
+  for (const TickRecord& row : rows) {
+    if (row.phase == Phase::free) continue;
+    if (first != nullptr && row.contact_W != first->contact_W) return true;
+    if (first == nullptr) first = &row;
+  }
+  return false;
+}
+
 }  // namespace
+
+std::string direction_name(const Vec3& direction_W) {
+  constexpr const char* names[] = {"x", "y", "z"};
+  for (int axis = 0; axis < 3; ++axis) {
+    if (direction_W[axis] > half_degree_cosine) return names[axis];
+  }
+  return turned_direction_name;
+}
+
+bool is_world_axis(const Vec3& direction_W) {
+  return direction_name(direction_W) != turned_direction_name;
+}
+
+bool are_along_one_line(const Vec3& a_W, const Vec3& b_W) {
+  return std::abs(a_W.dot(b_W)) > half_degree_cosine;
+}
+
+RubLine rub_line(std::span<const TickRecord> rows) {
+  const Vec3 direction_W = main_direction(rows);
+  return {direction_W, rubs_straight(rows, direction_W), moves_in_touch(rows)};
+}
 
 std::vector<double> friction_along_sliding(std::span<const TickRecord> rows) {
   constexpr double resting_share = 1e-3;
@@ -137,8 +161,8 @@ double shown_speed(const TickRecord& before, const TickRecord& row) {
 TouchSeries touch_series(std::span<const TickRecord> rows, const Vec3& direction_W) {
   TouchSeries series;
   series.direction_W = direction_W;
-  series.direction_name = name_of(direction_W);
-  const bool world_axis = series.direction_name != turned_direction_name;
+  series.direction_name = direction_name(direction_W);
+  const bool world_axis = is_world_axis(direction_W);
   const Vec3 origin = world_axis || rows.empty() ? Vec3::Zero() : place_of(rows.front());
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const TickRecord& row = rows[i];

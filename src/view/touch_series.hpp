@@ -35,6 +35,22 @@ struct TouchSeries {
 /// was touched). Signed so that its largest component is positive.
 Vec3 main_direction(std::span<const TickRecord> rows);
 
+/// "x", "y", "z" of a world axis, to half a degree, else "u".
+std::string direction_name(const Vec3& direction_W);
+bool is_world_axis(const Vec3& direction_W);
+
+/// Whether two unit vectors lie along one line, to half a degree, whichever way each points.
+bool are_along_one_line(const Vec3& a_W, const Vec3& b_W);
+
+/// How a finger rubs.
+struct RubLine {
+  Vec3 direction_W = Vec3::UnitX();  ///< main_direction
+  bool is_straight =
+      false;           ///< along it, where the surface does not turn, to half a degree; likewise at rest
+  bool moves = false;  ///< while it touches
+};
+RubLine rub_line(std::span<const TickRecord> rows);
+
 TouchSeries touch_series(std::span<const TickRecord> rows, const Vec3& direction_W);
 
 /// The friction on the finger along the way that the finger slides in the tangent plane [N]: negative where

@@ -284,6 +284,64 @@ TEST(ComparedRun, OfATableHasItsMeasuredColumns) {
   EXPECT_THAT(read("back.csv", Over::time), HasSubstr("back.csv:3: its time goes back"));
 }
 
+/// A rub to and fro over a plane along a direction in it, held back by 0.2 N.
+ComparedRun plane_rub(const std::filesystem::path& path, const Vec3& along) {
+  const auto writer = TraceWriter::create(path.string(), TraceFormat::csv, {}, World());
+  for (int i = 0; i < 200; ++i) {
+    TickRecord row;
+    row.t_s = 0.01 * i;
+    row.phase = Phase::slip;
+    row.contact_W = 0.01 * std::sin(5 * row.t_s) * along;
+    row.p_WQ = row.contact_W - Vec3(0, 0, 1e-3);
+    row.normal_W = Vec3::UnitZ();
+    row.normal_force_n = 1;
+    const double pace = std::cos(5 * row.t_s);
+    row.friction_W_n = (pace > 0 ? -0.2 : 0.2) * along;
+    writer->append({&row, 1});
+  }
+  writer->finish();
+  return read_compared_run(path.string(), Over::time, -1, 1e9);
+}
+
+// Along the world's axis friction changes its sign where a rub turns, along the sliding it does not: the
+// difference of the two would be nothing that acts.
+TEST(Comparison, TellsTheFrictionOfAllRunsAlike) {
+  const auto folder = test::scratch_dir();
+  const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY();
+  const auto compared = [&](const Vec3& first, const Vec3& other) {
+    return compare_runs({plane_rub(folder / "a.csv", first), plane_rub(folder / "b.csv", other)},
+                        {"friction"}, Over::time);
+  };
+  const auto sentence = [](const std::string& words) { return testing::Contains(words); };
+
+  const Comparison alike = compared(x, x);
+  EXPECT_EQ(alike.friction.along, "x");
+  EXPECT_THAT(alike.notes, sentence("friction: along x, positive where it pushes the finger towards +x"));
+  EXPECT_NEAR(alike.runs[0].columns.back().values[10], -0.2, 1e-12);
+  EXPECT_NEAR(alike.runs[0].columns.back().values[50], 0.2, 1e-12) << "on the way back";
+  EXPECT_EQ(alike.residuals[0].rms, 0);
+  const Chart chart = comparison_chart(alike, Over::time);
+  EXPECT_EQ(chart.panels[0].y_label, "friction along x (+ pushes towards +x) [N]");
+  EXPECT_EQ(chart.panels[0].short_y_label, "friction x [N]");
+  EXPECT_EQ(chart.panels[1].short_y_label, "residual [N]");
+
+  const Comparison across = compared(x, y);
+  EXPECT_EQ(across.friction.along, "sliding");
+  EXPECT_THAT(
+      across.notes,
+      sentence("friction: along the sliding direction of each, negative where it holds the finger back"));
+  for (const std::size_t run : {0u, 1u})
+    for (const std::size_t tick : {10u, 50u})
+      EXPECT_NEAR(across.runs[run].columns.back().values[tick], -0.2, 1e-9) << run << " at " << tick;
+  EXPECT_EQ(comparison_chart(across, Over::time).panels[0].y_label,
+            "friction along sliding (- against it) [N]");
+
+  const Vec3 turned = Vec3(3, 4, 0) / 5;
+  EXPECT_THAT(
+      compared(turned, turned).notes,
+      sentence("friction: along u, positive where it pushes the finger towards +u; u is (0.60, 0.80, 0.00)"));
+}
+
 TEST(Abscissa, OfARoundRubIsItsArcAndItsTurn) {
   const ViewInput input = test::torus_rub(0.25);
   const std::vector<double> travel_mm = abscissa(input.rows, Over::travel);
