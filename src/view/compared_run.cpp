@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <set>
 #include <utility>
@@ -127,6 +128,40 @@ ComparedRun of_trace(const std::string& path, Over over, double from_s, double t
   return run;
 }
 
+/// How many trials a table's columns tell apart; 0 where none does, by numbers.
+std::size_t trials_in(const std::string& path) {
+  try {
+    CsvRequest request{{"trial"}, {"subject"}, {found_separator, '.'}};
+    request.leaves_out_cut_row = true;
+    const CsvColumns table = read_csv_columns(path, request);
+    std::set<std::pair<double, double>> trials;
+    for (std::size_t i = 0; i < table.lines.size(); ++i)
+      trials.emplace(table.present[1] ? table.columns[1][i] : 0, table.columns[0][i]);
+    return trials.size();
+  } catch (const Error&) {
+    return 0;
+  }
+}
+
+/// Throws Error (refused) for a time that is missing or goes back.
+void refuse_disorder(const std::string& path, const CsvColumns& table) {
+  const std::vector<double>& times = table.columns[0];
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const std::string place = fmt::format("{}:{}", path, table.lines[i]);
+    if (!std::isfinite(times[i])) throw refused(place, "has no time t_s: leave such rows out");
+    if (i == 0 || times[i] >= times[i - 1]) continue;
+    const std::size_t trials = trials_in(path);
+    if (trials < 2)
+      throw refused(place,
+                    "its time goes back; sort the table by t_s, or where several trials follow one another, "
+                    "each with a time of its own, keep the rows of one in a file of their own");
+    throw refused(place,
+                  fmt::format("its time begins anew: the table holds {} trials (column trial), and plot "
+                              "draws one; keep the header and the rows of one in a file of their own",
+                              trials));
+  }
+}
+
 ComparedRun of_table(const std::string& path, Over over, double from_s, double to_s) {
   CsvRequest request{
       {"t_s"},
@@ -141,6 +176,7 @@ ComparedRun of_table(const std::string& path, Over over, double from_s, double t
     units.emplace_back(column.unit);
   }
   request.leaves_out_cut_row = true;
+  request.takes_gaps = true;  // as replay --columns writes them, where nothing is touched
   const CsvColumns table = read_csv_columns(path, request);
   if (over != Over::time)
     throw refused(path,
@@ -150,10 +186,7 @@ ComparedRun of_table(const std::string& path, Over over, double from_s, double t
   if (times.empty())
     throw refused(path, table.cut.empty() ? "has a header but no rows: nothing to draw"
                                           : table.cut + "; no row of it is left");
-  for (std::size_t i = 1; i < times.size(); ++i) {
-    if (times[i] >= times[i - 1]) continue;
-    throw refused(fmt::format("{}:{}", path, table.lines[i]), "its time goes back; sort the table by t_s");
-  }
+  refuse_disorder(path, table);
   const auto within = [&](const std::vector<double>& values) {
     std::vector<double> kept;
     for (std::size_t i = 0; i < values.size(); ++i) {

@@ -284,6 +284,37 @@ TEST(ComparedRun, OfATableHasItsMeasuredColumns) {
   EXPECT_THAT(read("back.csv", Over::time), HasSubstr("back.csv:3: its time goes back"));
 }
 
+TEST(ComparedRun, OfATableWithGapsKeepsThem) {
+  const auto folder = test::scratch_dir();
+  constexpr double all = std::numeric_limits<double>::infinity();
+  const auto written = [&](const char* name, const char* text) {
+    std::ofstream(folder / name) << text;
+    return (folder / name).string();
+  };
+  const ComparedRun run = read_compared_run(
+      written("gaps.csv", "t_s,px_m,fn_n\n0,nan,0\n0.1,,1\n0.2,0.5,2\n"), Over::time, -all, all);
+  ASSERT_EQ(run.columns.size(), 2u);
+  EXPECT_TRUE(std::isnan(run.columns[0].values[0]) && std::isnan(run.columns[0].values[1]));
+  EXPECT_EQ(run.columns[0].values[2], 0.5);
+  EXPECT_THAT(run.columns[1].values, ElementsAre(0, 1, 2));
+  const std::string lost = written("lost.csv", "t_s,fn_n\n0,0\nnan,1\n");
+  EXPECT_THAT(test::why_not([&] { read_compared_run(lost, Over::time, -all, all); }),
+              HasSubstr("lost.csv:3: has no time t_s"));
+}
+
+TEST(ComparedRun, OfSeveralTrialsSaysHowManyThereAre) {
+  const auto folder = test::scratch_dir();
+  constexpr double all = std::numeric_limits<double>::infinity();
+  const auto why = [&](const char* text) {
+    std::ofstream(folder / "lab.csv") << text;
+    return test::why_not([&] { read_compared_run((folder / "lab.csv").string(), Over::time, -all, all); });
+  };
+  EXPECT_THAT(why("t_s,fx_n,trial\n0,1,1\n1,1,1\n0,1,2\n0,1,3\n"),
+              HasSubstr("lab.csv:4: its time begins anew: the table holds 3 trials (column trial)"));
+  EXPECT_THAT(why("t_s,fx_n,subject,trial\n0,1,1,1\n1,1,1,1\n0,1,2,1\n"), HasSubstr("holds 2 trials"));
+  EXPECT_THAT(why("t_s,fx_n,trial\n0,1,1\n1,1,1\n0,1,1\n"), HasSubstr("its time goes back; sort"));
+}
+
 /// A rub to and fro over a plane along a direction in it, held back by 0.2 N.
 ComparedRun plane_rub(const std::filesystem::path& path, const Vec3& along) {
   const auto writer = TraceWriter::create(path.string(), TraceFormat::csv, {}, World());
