@@ -72,8 +72,17 @@ struct LegendKey {
   std::string label;
   Colour colour;
   bool arrow;
-  bool rimmed = false;  ///< the colour within a rim: what is as dark as the paper
+  bool rimmed = false;    ///< the colour within a rim: what is as dark as the paper
+  std::string note = {};  ///< on a line below the label; empty: none
 };
+
+/// On which wall the stick centre stands, of which a record of several keeps the deepest's alone.
+std::string centre_wall_words(const OverlayFacts& facts) {
+  const TickRecord& row = *facts.row;
+  if (row.walls < 2) return "";
+  const std::string triangle = row.triangle < 0 ? "" : fmt::format(", triangle {}", row.triangle);
+  return fmt::format("on the deepest of {} walls: {}{}", row.walls, facts.surface_name, triangle);
+}
 
 std::vector<LegendKey> legend_keys(const OverlayFacts& facts, const ViewState& state) {
   std::vector<LegendKey> keys;
@@ -85,8 +94,8 @@ std::vector<LegendKey> legend_keys(const OverlayFacts& facts, const ViewState& s
   if (facts.row->stick_centre_W.allFinite()) {
     // Flat parts turn black and white in the dark, the ball on the part stays black, but between wires.
     const bool stays_black = state.dark && !state.wireframe;
-    keys.push_back({facts.row->walls > 1 ? "stick centre on one wall" : "stick centre",
-                    stays_black ? colours::white : colours::black, false, stays_black});
+    keys.push_back({"stick centre", stays_black ? colours::white : colours::black, false, stays_black,
+                    centre_wall_words(facts)});
   }
   if (facts.region) {
     const bool holds = facts.row->phase == Phase::stick;
@@ -197,10 +206,13 @@ Vec2 legend_size(const OverlayFacts& facts, const ViewState& state, double em) {
   const std::vector<LegendKey> keys = legend_keys(facts, state);
   const bool bar = state.colouring == PathColouring::force;
   const double path_lines = explains_path(facts, state) ? (bar ? 3.0 : 1.0) : 0.0;
-  const double lines = static_cast<double>(keys.size()) + (state.forces ? 1 : 0) + path_lines;
+  const auto notes = std::ranges::count_if(keys, [](const LegendKey& key) { return !key.note.empty(); });
+  const double key_lines = static_cast<double>(keys.size()) + static_cast<double>(notes);
+  const double lines = key_lines + (state.forces ? 1 : 0) + path_lines;
   if (lines == 0) return {0, 0};
   double width = 15.5 * em;
-  for (const LegendKey& key : keys) width = std::max(width, text_width(key.label, em) + 4 * em);
+  for (const LegendKey& key : keys)
+    width = std::max({width, text_width(key.label, em) + 4 * em, text_width(key.note, em) + 1.4 * em});
   return {width, lines * legend_line_em * em + 0.8 * em};
 }
 
@@ -211,6 +223,9 @@ void paint_legend(Drawing& drawing, const OverlayFacts& facts, const ViewState& 
   double y = box.top() - 0.4 * em - line / 2;
   for (const LegendKey& key : legend_keys(facts, state)) {
     paint_legend_key(drawing, key, left, y, em);
+    y -= line;
+    if (key.note.empty()) continue;
+    drawing.text({left, y}, key.note, {.size = em, .colour = colours::grey, .upright = Upright::middle});
     y -= line;
   }
   if (state.forces) {

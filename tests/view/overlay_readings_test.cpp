@@ -1,5 +1,7 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <string>
 #include <vector>
 
 #include "view/overlay.hpp"
@@ -34,6 +36,42 @@ TEST(OverlayReadings, NoneRunsIntoItsNameAndTheWallsHaveARow) {
     tells_walls = tells_walls || (name.words == "walls" && value.words == "3");
   }
   EXPECT_TRUE(tells_walls);
+}
+
+/// The words of a legend; all within it.
+std::vector<std::string> legend_of(const OverlayFacts& facts) {
+  constexpr double em = 15;
+  const ViewState state;
+  const Vec2 size = legend_size(facts, state, em);
+  Drawing drawing;
+  paint_legend(drawing, facts, state, {0, 0, size.x(), size.y()}, em);
+  std::vector<std::string> words;
+  for (const Drawing::Mark& mark : drawing.marks())
+    if (const auto* const text = std::get_if<Drawing::Text>(&mark)) {
+      words.push_back(text->words);
+      EXPECT_LE(text->at.x() + text_width(text->words, em), size.x()) << text->words;
+      EXPECT_GT(text->at.y(), 0) << text->words;
+    }
+  return words;
+}
+
+TEST(OverlayLegend, OfSeveralWallsSaysOnWhichTheStickCentreStands) {
+  OverlayFacts facts;
+  facts.row = TickRecord{};
+  facts.row->phase = Phase::stick;
+  facts.row->walls = 2;
+  facts.row->triangle = 1234567;
+  facts.row->stick_centre_W = Vec3::Zero();
+  facts.surface_name = "bracket_fi.....stl";
+  using ::testing::Contains;
+  using ::testing::HasSubstr;
+  EXPECT_THAT(legend_of(facts), Contains("on the deepest of 2 walls: bracket_fi.....stl, triangle 1234567"));
+  facts.row->triangle = -1;
+  EXPECT_THAT(legend_of(facts), Contains("on the deepest of 2 walls: bracket_fi.....stl"));
+  facts.row->walls = 1;
+  const std::vector<std::string> alone = legend_of(facts);
+  EXPECT_THAT(alone, Contains("stick centre"));
+  EXPECT_THAT(alone, testing::Not(Contains(HasSubstr("walls"))));
 }
 
 }  // namespace
