@@ -16,6 +16,7 @@
 #include "base/error.hpp"
 #include "base/file_identity.hpp"
 #include "base/output_place.hpp"
+#include "study/air_offset.hpp"
 #include "study/few_trials.hpp"
 #include "study/fit_told.hpp"
 #include "study/measurement_doubts.hpp"
@@ -140,7 +141,10 @@ int fit(const FitOptions& options) {
   std::vector<std::string> named = take_trial_units(options.reading.trial_units, format, recorded);
   if (std::string words = leave_out_trials(options.reading.left_out, recorded); !words.empty())
     named.push_back(std::move(words));
+  std::vector<std::string> zeroed;
+  if (cleaning.takes_tare) zeroed = take_off_hiding_offsets(recorded);
   FitTold told = told_of_reading(recorded, format);
+  told.warnings.insert(told.warnings.begin(), zeroed.begin(), zeroed.end());
   for (const std::string& note : told.reading) print_err("fingerpad: {}\n", note);
   if (!told.understood.empty() && !options.quiet) print_err("fingerpad: {}\n", told.understood);
   warn(told.warnings);

@@ -39,12 +39,23 @@ std::vector<UnitDoubt> doubts_of_units(const RecordedMeasurement& recorded, File
   return unit_doubts(own, with_told(recorded, file, format), tells_times);
 }
 
+/// What swapped forces would be told by (swapped_forces_doubt); wrong times would make as odd ones of any.
+std::string swapped_by_sure_times(const RecordedMeasurement& recorded, FileTrials own,
+                                  const MeasurementFormat& format) {
+  for (const UnitDoubt& doubt : doubts_of_units(recorded, own, format))
+    if (doubt.is_of_times) return {};
+  return swapped_forces_doubt(own);
+}
+
 }  // namespace
 
 void refuse_doubtful(const RecordedMeasurement& recorded, const MeasurementFormat& format, double delay_s) {
   each_file(recorded, [&](FileTrials own) {
     for (const UnitDoubt& doubt : doubts_of_units(recorded, own, format))
       if (doubt.is_refused) throw refused(own.front().file, doubt.words);
+    // First: along the normal friction would be asked for the press's sign.
+    if (const std::string swapped = swapped_by_sure_times(recorded, own, format); !swapped.empty())
+      throw refused(own.front().file, swapped);
     ask_for_signs(own, format, delay_s);
   });
 }
@@ -59,9 +70,8 @@ std::vector<std::string> doubts_of(const RecordedMeasurement& recorded, const Me
       doubts_times = doubts_times || doubt.is_of_times;
       if (!doubt.is_refused) told.push_back(fmt::format("{}: {}", file, doubt.words));
     }
-    const std::string swapped = doubts_times ? "" : swapped_forces_doubt(own);
-    if (!swapped.empty()) told.push_back(fmt::format("{}: {}", file, swapped));
-    if (doubts_times || !swapped.empty()) {
+    // By wrong times all is odd; what has swapped forces is refused, whatever else is odd in it.
+    if (doubts_times || !swapped_forces_doubt(own).empty()) {
       trials_can_be_odd = false;
       return;
     }

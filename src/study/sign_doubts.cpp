@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "base/number_text.hpp"
 #include "motion/driving_share.hpp"
+#include "study/air_offset.hpp"
 #include "study/trial_drive.hpp"
 
 namespace fingerpad {
@@ -50,7 +51,8 @@ void ask_for_signs(FileTrials trials, const MeasurementFormat& format, double de
   constexpr double surely_n = 0.15;  // a sensor's offset may be below 0 where nothing presses
   const std::string& file = trials.front().file;
   const double press_n = usual(trials, pressing_n);
-  if (press_n < -surely_n)
+  if (press_n < -surely_n) {
+    if (const std::string offset = hiding_offset_words(trials); !offset.empty()) throw refused(file, offset);
     throw refused(
         file, fmt::format(
                   "its force is {} N along the plate's normal where it presses, and a plate pushes a "
@@ -58,6 +60,7 @@ void ask_for_signs(FileTrials trials, const MeasurementFormat& format, double de
                   "the sensor stands (--sensor-turned)",
                   rounded_text(press_n, 3), format.force_on_plate ? "--force-on finger" : "--force-on plate",
                   format.force_on_plate ? "finger" : "plate"));
+  }
   if (!trials.front().lacks.empty()) return;  // no friction, whose sign could be wrong
   const std::vector<Drive> drives = drives_of(trials, delay_s);
   refuse_mirrored_axis(trials, drives);

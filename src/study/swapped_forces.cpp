@@ -75,8 +75,8 @@ std::string swapped_forces_doubt(FileTrials trials) {
     if (2 * count <= std::ssize(trials)) continue;
     return fmt::format(
         "along the plate's normal its force changes its sign to and fro, as friction does, and along {} it "
-        "presses: are two columns of force swapped? --columns says which is which, --sensor-turned how the "
-        "sensor stands",
+        "presses: two columns of force are swapped, or the plate's normal is another. --columns says which "
+        "is which, --sensor-turned how the sensor stands, nx, ny, nz the normal",
         "xyz"[axis]);
   }
   return {};

@@ -9,7 +9,7 @@ namespace fingerpad {
 /// Whether the force along the plate's normal looks like friction and another like the press: the first
 /// changes its sign to and fro, which a press never does, and the other does not. Of trials without air
 /// nothing is told, as a sensor's offset could be either.
-/// @returns what to tell of the file; empty where nothing is odd
+/// @returns why to refuse the file; empty where nothing is odd
 std::string swapped_forces_doubt(FileTrials trials);
 
 }  // namespace fingerpad

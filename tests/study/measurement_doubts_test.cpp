@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "study/air_offset.hpp"
 #include "study/measurement.hpp"
 #include "study/measurement_words.hpp"
 #include "study/odd_trials.hpp"
@@ -115,6 +116,44 @@ TEST(MeasurementDoubts, AForceOnThePlateIsToldByItsPress) {
   MeasurementFormat format;
   format.force_on_plate = true;
   EXPECT_THAT(asked(turned, format), HasSubstr("--force-on finger"));
+}
+
+/// A sensor that was not zeroed, and reads less than 0 even where it is pressed.
+TEST(MeasurementDoubts, ASteadyPullInTheAirIsAnOffsetAndNoForceOnThePlate) {
+  const auto shifted = [](RecordedTrial& trial) { trial.force_W.row(2).array() -= 4; };
+  EXPECT_THAT(asked(shifted), AllOf(HasSubstr("in the air before and after the press"),
+                                    HasSubstr("not zeroed"), testing::Not(HasSubstr("--force-on"))))
+      << "where it is to stay";
+  EXPECT_THAT(asked([&](RecordedTrial& trial) {
+                shifted(trial);
+                trial.position_W.row(2).setZero();
+              }),
+              HasSubstr("not zeroed"))
+      << "friction tells it where no height was measured";
+  RecordedMeasurement recorded = test::known_measurement(rubs, {}, test::bad_sensors(), 1), zeroed = recorded;
+  for (RecordedTrial& trial : zeroed.trials) shifted(trial);
+  EXPECT_THAT(take_off_hiding_offsets(recorded), testing::IsEmpty()) << "of a usual sensor";
+  EXPECT_THAT(take_off_hiding_offsets(zeroed), testing::ElementsAre(HasSubstr("Taken off 2 trials")));
+  EXPECT_NO_THROW(refuse_doubtful(zeroed, {}, 0));
+  for (std::size_t k = 0; k < zeroed.trials.size(); ++k) {
+    // Nothing of it is left but what the sensor's own offset, noise and drift are.
+    const Points off_n = zeroed.trials[k].force_W - recorded.trials[k].force_W;
+    EXPECT_LT(off_n.cwiseAbs().maxCoeff(), 0.5);
+    EXPECT_LT((off_n.colwise() - off_n.col(0)).cwiseAbs().maxCoeff(), 1e-9) << "a constant";
+  }
+}
+
+/// It presses the plate where its trial begins and ends, and is lifted in between.
+TEST(MeasurementDoubts, AFingerLiftedInTheMiddleOfAForceOnThePlateHasNoOffset) {
+  EXPECT_THAT(asked([](RecordedTrial& trial) {
+                const Eigen::Index n = trial.samples();
+                for (Eigen::Index i = 0; i < n; ++i) {
+                  const bool presses = i < n / 4 || i > n - n / 4;
+                  trial.force_W.col(i) = Vec3(0, 0, presses ? -2 : 0);
+                  trial.position_W.col(i).z() = presses ? -1e-3 : 2e-3;
+                }
+              }),
+              HasSubstr("--force-on plate"));
 }
 
 TEST(MeasurementDoubts, AWrongSignOfTheTangentialForcesAloneIsToldByItsWork) {
@@ -326,14 +365,14 @@ TEST(MeasurementDoubts, APlateThatIsNotLevelIsNotMirrored) {
               testing::Not(testing::Contains(HasSubstr("mirrored"))));
 }
 
-TEST(MeasurementDoubts, SwappedForcesAreToldAndNoTrialIsOddByThem) {
-  using testing::ElementsAre;
+TEST(MeasurementDoubts, SwappedForcesAreRefusedAndNoTrialIsOddByThem) {
   const auto swap_y_and_z = [](RecordedTrial& trial) { trial.force_W.row(1).swap(trial.force_W.row(2)); };
   RecordedMeasurement recorded =
       test::known_measurement({rubs[1], rubs[1], rubs[1], rubs[1]}, {}, test::bad_sensors(), 1);
   for (RecordedTrial& trial : recorded.trials) swap_y_and_z(trial);
-  EXPECT_THAT(doubts_of(recorded, {}), ElementsAre(AllOf(HasSubstr("known: along the plate's normal"),
-                                                         HasSubstr("along y it presses"))));
+  EXPECT_THAT(doubts_of(recorded, {}), testing::IsEmpty());
+  EXPECT_THAT(test::why_not([&] { refuse_doubtful(recorded, {}, 0); }),
+              AllOf(HasSubstr("known: along the plate's normal"), HasSubstr("along y it presses")));
 }
 
 TEST(MeasurementDoubts, NothingIsWarnedOfWhatIsAsItShouldBe) {
