@@ -22,7 +22,10 @@
 #include "part/import.hpp"
 #include "part/mesh_format.hpp"
 #include "part/unit_hint.hpp"
+#include "replay/missing_inputs.hpp"
 #include "scene/scene_file.hpp"
+#include "touch/unit_hints.hpp"
+#include "touch/world.hpp"
 
 namespace fingerpad {
 namespace {
@@ -157,6 +160,14 @@ void tell_overlaps(const Scene& scene, const std::string& path, std::vector<Plac
   }
 }
 
+/// Of what a scene says beside its parts: refuses, or tells, what replay would before its first tick.
+void look_at_finger_and_motion(const Scene& scene, const World& measured) {
+  refuse_missing_inputs(scene);
+  refuse_huge_finger(measured, scene);
+  if (const std::string hint = finger_hint(measured, scene); !hint.empty())
+    print_err("fingerpad: {}\n", hint);
+}
+
 /// The parts of a scene, of a set those of its first job, each as the scene takes it and where it places it.
 bool check_scene(const std::string& path, bool as_json, Json& report) {
   const SceneFile file = read_scene_file(path);
@@ -165,6 +176,7 @@ bool check_scene(const std::string& path, bool as_json, Json& report) {
     print_err("fingerpad: {}: looked at the first of its {} jobs\n", path, file.jobs.size());
   const Scene& scene = file.jobs.front().scene;
   bool all_touchable = true;
+  World measured;  // by its verdicts alone
   std::vector<PlacedSurface> surfaces;
   for (const PartEntry& entry : scene.parts) {
     ImportOptions how;
@@ -173,6 +185,7 @@ bool check_scene(const std::string& path, bool as_json, Json& report) {
     how.repair = entry.repair;
     const CheckedMesh mesh = checked(entry.mesh_path, how);
     all_touchable &= tell_mesh(mesh, as_json, report);
+    measured.verdicts.push_back(mesh.imported.verdict);
     PlacedSurface& surface = surfaces.emplace_back();
     surface.part = mesh.imported.part;
     surface.tree = mesh.tree;
@@ -187,6 +200,7 @@ bool check_scene(const std::string& path, bool as_json, Json& report) {
   if (as_json) parts = std::span(report.get_ref<Json::array_t&>()).last(scene.parts.size());
   for (Json& part : parts) part["overlaps"] = Json::array();
   tell_overlaps(scene, path, std::move(surfaces), parts);
+  look_at_finger_and_motion(scene, measured);
   return all_touchable;
 }
 
@@ -232,17 +246,18 @@ void add_check(CLI::App& program, Action& action) {
   CLI::App* command =
       program.add_subcommand("check", "The verdict on each mesh: can it be touched, and what is damaged");
   command
-      ->add_option("MESH", options->meshes,
-                   mesh_format_names("or") +
-                       " files, - is standard input; or scenes (.toml), whose parts are taken in their "
-                       "units and looked at for overlaps")
+      ->add_option(
+          "MESH", options->meshes,
+          mesh_format_names("or") +
+              " files, - is standard input; or scenes (.toml), whose parts are taken in their "
+              "units and looked at for overlaps, and whose motion and finger for what replay would refuse")
       ->required();
   add_unit_option(*command, options->unit);
   command->add_flag("--json", options->json, "Print an array with an object for each mesh (lengths in m)");
   command->add_flag("--repair", options->repair,
                     "Say what `repair = true` in a scene's [[part]] would do: weld, drop degenerate and "
                     "duplicate faces, make the winding right");
-  command->footer("Ends 0 if every mesh can be touched, else 3.");
+  command->footer("Ends 0 if every mesh can be touched and no scene is refused, else 3.");
   command->callback([options, command, &action] {
     options->says_how = command->count("--unit") > 0 || options->repair;
     action = [options] { return check(*options); };

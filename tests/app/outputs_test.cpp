@@ -188,14 +188,32 @@ TEST(Refusals, OfAMissingFileSayThatItIsNotThere) {
       << "[[part]]\nmesh = \"nope\"\n[motion]\nkind = \"line\"\nfrom_m = [0, 0, "
          "0]\nto_m = [1, 0, 0]\nspeed_m_per_s = 1\n";
   std::ofstream(folder / "profile.toml") << plane << "[finger]\nprofile = \"nope\"\n" << line;
-  for (const char* call : {"replay motion.toml --out o", "replay mesh.toml --out o",
-                           "replay profile.toml --out o", "replay nope --out o", "check nope",
-                           "query box.stl nope", "query nope points.csv", "export nope --out e.csv"}) {
+  for (const char* call :
+       {"replay motion.toml --out o", "replay mesh.toml --out o", "replay profile.toml --out o",
+        "replay nope --out o", "check nope", "check motion.toml", "query box.stl nope",
+        "query nope points.csv", "export nope --out e.csv"}) {
     SCOPED_TRACE(call);
     const ShellResult result = test::fingerpad(call, folder);
     expect_told(result, 3, "cannot be read: there is no such file");
     EXPECT_THAT(result.err, HasSubstr("nope"));
   }
+}
+
+TEST(Refusals, OfAFingerTooLargeAreTheSameForCheckAndReplay) {
+  const fs::path folder = folder_with_inputs();
+  std::ofstream(folder / "rub.csv") << "t_s,x_m,y_m,z_m\n0,0,0,0\n1,0.001,0,0\n";
+  const auto told = [&](const char* radius_m) {
+    std::ofstream(folder / "s.toml") << "[[part]]\nmesh = \"box.stl\"\nunit = \"mm\"\n[finger]\nradius_m = "
+                                     << radius_m << "\n[motion]\nfile = \"rub.csv\"\n";
+    return test::fingerpad("check s.toml", folder);
+  };
+  const ShellResult huge = told("7");
+  expect_told(huge, 3, "s.toml:5:12: a finger of radius_m = 7, where the longest part is");
+  EXPECT_EQ(test::fingerpad("replay s.toml --out o", folder).exit_code, 3);
+  expect_told(told("0.3"), 0, "a finger of radius_m = 0.3");
+  const ShellResult usual = told("0.007");
+  EXPECT_EQ(usual.exit_code, 0);
+  EXPECT_THAT(usual.err, Not(HasSubstr("a finger of")));
 }
 
 TEST(Refusals, OfASubcommandNameTheNearest) {
