@@ -117,6 +117,7 @@ void add_units(CLI::App& command, ReadingOptions& options) {
       ->check(one_of(length_unit_names()))
       ->default_str("m, or the layout's own");
   command.add_option("--time-unit", options.time_unit, "Of times")
+      ->transform([](const std::string& said) { return std::string(listed_unit(Quantity::time, said)); }, "")
       ->check(one_of(names_of(time_units)))
       ->default_str("s, or the layout's own");
   command.add_option("--force-unit", options.force_unit, "Of forces")

@@ -1,5 +1,7 @@
 #include "base/unit.hpp"
 
+#include <algorithm>
+
 namespace fingerpad {
 namespace {
 
@@ -63,9 +65,16 @@ std::string_view quantity_words(Quantity quantity) noexcept {
   return words[static_cast<std::size_t>(quantity)];
 }
 
-std::optional<double> si_per_unit(Quantity quantity, std::string_view word) {
+std::string_view listed_unit(Quantity quantity, std::string_view word) {
+  const std::vector<NamedUnit> units = units_of(quantity);
   for (const Spelling& spelling : spellings)
-    if (spelling.written == word) word = spelling.name;
+    if (spelling.written == word && std::ranges::find(units, spelling.name, &NamedUnit::name) != units.end())
+      return spelling.name;
+  return word;
+}
+
+std::optional<double> si_per_unit(Quantity quantity, std::string_view word) {
+  word = listed_unit(quantity, word);
   const std::string stroke = quantity == Quantity::speed ? with_stroke(word) : std::string(word);
   for (const NamedUnit& unit : units_of(quantity))
     if (unit.name == stroke) return unit.factor;

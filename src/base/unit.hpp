@@ -45,6 +45,8 @@ std::string_view quantity_words(Quantity quantity) noexcept;
 /// How much of s, m, N, N m or m/s a unit is that a table names, as those above or as people write them
 /// ("sec", "N mm"; of a speed a length in a time, "mm/s", "m s^-1"); nothing for any other word.
 std::optional<double> si_per_unit(Quantity quantity, std::string_view word);
+/// What units above call the unit that people write so: "us" of a time's "µs"; any other word as it is.
+std::string_view listed_unit(Quantity quantity, std::string_view word);
 /// "s, ms, us".
 std::string unit_list(Quantity quantity);
 

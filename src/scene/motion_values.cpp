@@ -187,7 +187,15 @@ SceneKey time_unit_key(std::string_view key) {
   std::vector<std::string> names;
   names.reserve(std::size(time_units));
   for (const TimeUnit& unit : time_units) names.emplace_back(unit.name);
-  return choice_key<take_time_unit>(key, names, "s", "of the file's times");
+  SceneKey row = choice_key<take_time_unit>(key, names, "s", "of the file's times");
+  row.read = [](const SceneKey& self, const TomlTable& motion, Scene& scene) {
+    const std::string said = motion.text(self.key, self.default_word);
+    const auto named = std::ranges::find(self.words, listed_unit(Quantity::time, said));
+    // What is no unit is refused where all choices are.
+    take_time_unit(scene, named != self.words.end() ? static_cast<std::size_t>(named - self.words.begin())
+                                                    : motion.choice(self.key, 0, self.words));
+  };
+  return row;
 }
 
 SceneKey force_unit_key(std::string_view key) {

@@ -9,6 +9,7 @@
 #include "scene/toml_tree.hpp"
 #include "study/measured_row.hpp"
 #include "study/measured_units.hpp"
+#include "study/own_trace.hpp"
 #include "trace/hdf5_columns.hpp"
 #include "trace/trace.hpp"
 #include "trace/trace_choice.hpp"
@@ -76,6 +77,7 @@ void read_measured_hdf5(const std::string& path, const MeasurementFormat& format
   into.told_units[path] = told;
   const std::string words = told_units_words(told, UnitSource::attributes);
   if (!words.empty() && !file.is_trace) into.notes.push_back(fmt::format("{}: {}", path, words));
+  if (file.is_trace) into.notes.push_back(fmt::format("{}: {}", path, own_trace_words));
   const RowReader rows(path, read_as, file.present);
   const std::string lacks = rows.missing_force();
   if (!lacks.empty()) {

@@ -48,6 +48,18 @@ const MeasurementReader& reader_of(const std::string& path) {
   return measurement_readers().back();
 }
 
+/// Reads a file. Of a recording that is not finished says so, whatever else is told of it.
+void read_one(const MeasurementReader& reader, const std::string& path, const MeasurementFormat& format,
+              RecordedMeasurement& into) {
+  if (!path.ends_with(".part")) return reader.read(path, format, into);
+  into.warnings.push_back(fmt::format("{}: {}", path, unfinished_words));
+  try {
+    reader.read(path, format, into);
+  } catch (const Error& error) {
+    throw Error(error.kind(), "", fmt::format("{}; the file {}", error.what(), unfinished_words));
+  }
+}
+
 }  // namespace
 
 std::span<const MeasurementReader> measurement_readers() noexcept {
@@ -66,7 +78,7 @@ RecordedMeasurement read_measurements(const std::vector<std::string>& paths, con
   RecordedMeasurement measurement;
   for (const std::string& path : paths) {
     const MeasurementReader* named = find_measurement_reader(reader);
-    (named != nullptr ? *named : reader_of(path)).read(path, format, measurement);
+    read_one(named != nullptr ? *named : reader_of(path), path, format, measurement);
   }
   return measurement;
 }

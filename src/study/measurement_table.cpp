@@ -8,6 +8,7 @@
 #include "base/printable_text.hpp"
 #include "study/measured_row.hpp"
 #include "study/measured_units.hpp"
+#include "study/own_trace.hpp"
 #include "trace/trace.hpp"
 
 namespace fingerpad {
@@ -50,6 +51,7 @@ void read_measured_table(const std::string& path, const MeasurementFormat& forma
   into.told_units[path] = told;
   if (const std::string words = told_units_words(told); !words.empty())
     into.notes.push_back(fmt::format("{}: {}", path, words));
+  if (is_own_csv_trace(path)) into.notes.push_back(fmt::format("{}: {}", path, own_trace_words));
   const RowReader rows(path, read_as, present);
   std::string missing = rows.missing_force();
   if (!missing.empty()) {

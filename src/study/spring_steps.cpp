@@ -16,9 +16,10 @@ void tell_light_samples(const Measurement& measurement, const std::vector<StickS
   if (all == 0) return;
   if (const double share = measurement.trials.front().light_share; share > 0) {
     fit.steps.push_back(
-        fmt::format("light samples: {} of {}, pressed with less than {} % of what their trial is pressed "
-                    "with (or lost in its noise), tell neither stick nor slip; the normal law has them",
-                    light, all, rounded_text(100 * share, 3)));
+        fmt::format("light samples: {} of {} in touch are pressed with less than {} % of what their trial is "
+                    "pressed with, or are lost in its noise: the normal law alone is told by them{}",
+                    light, all, rounded_text(100 * share, 3),
+                    light == all ? ", and nothing is left that tells friction" : ""));
   } else {
     fit.steps.push_back(fmt::format(
         "light samples: left in (--light 0), but for {} of {} that are lost in noise", light, all));

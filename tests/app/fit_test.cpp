@@ -1,10 +1,12 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 #include "support/paths.hpp"
 #include "support/shell.hpp"
@@ -102,6 +104,69 @@ TEST_F(Fit, TakesAUnitBehindANumber) {
     EXPECT_THAT(wrong.err, HasSubstr(said)) << words;
     EXPECT_THAT(wrong.err, testing::Not(HasSubstr("understood as"))) << words;
   }
+}
+
+TEST_F(Fit, TakesMicrosecondsAsPeopleWriteThem) {
+  const auto told = [&](const char* unit) {
+    return fit(shipped.string() + " --out p.toml --time-unit " + unit).err;
+  };
+  EXPECT_EQ(told("\u00b5s"), told("us"));
+  EXPECT_EQ(told("\u03bcs"), told("us"));
+  EXPECT_THAT(told("furlong"), HasSubstr("'furlong' is none of s, ms, us"));
+}
+
+TEST_F(Fit, SaysWhatATraceAndAnUnfinishedRecordingAreTakenFor) {
+  std::ofstream(folder / "rub.toml") << "[[plane]]\npoint_m = [0, 0, 0]\nnormal = [0, 0, 1]\n[motion]\nkind "
+                                        "= \"line\"\nfrom_m = [0, 0, -0.001]\n"
+                                        "to_m = [0.05, 0, -0.001]\nspeed_m_per_s = 0.05\nrate_hz = 500\n";
+  for (const char* format : {"h5", "csv"}) {
+    ASSERT_EQ(test::shell(test::program().string() + " replay rub.toml --out o --format " + format, folder)
+                  .exit_code,
+              0);
+    EXPECT_THAT(fit(std::string("o/rub.") + format + " --out p.toml").err,
+                HasSubstr(std::string("o/rub.") + format + ": is a trace of this program"));
+  }
+  fs::copy_file(folder / "o/rub.csv", folder / "live.csv.part");
+  EXPECT_THAT(
+      fit("live.csv.part --out p.toml").err,
+      HasSubstr("warning: live.csv.part: is of a recording that was cut short or is still being written"));
+  std::ofstream(folder / "begun.csv.part") << "t_s,x_m\n0,0\n";
+  EXPECT_THAT(fit("begun.csv.part --out p.toml").err,
+              AllOf(HasSubstr("no column"), HasSubstr("the file is of a recording that was cut short")));
+}
+
+/// Not zeroed, and pressed with less than the sensor is off by.
+TEST_F(Fit, TakesAPullInTheAirForAnOffsetAndRefusesSwappedForces) {
+  std::ifstream whole(shipped);
+  std::ofstream off(folder / "off.csv"), swapped(folder / "swapped.csv");
+  bool is_header = true;
+  for (std::string line; std::getline(whole, line);) {
+    if (line.starts_with('#')) continue;
+    std::vector<std::string> cells;
+    for (std::stringstream rest(line); std::getline(rest, line, ',');) cells.push_back(line);
+    const auto joined = [&] { return fmt::format("{}\n", fmt::join(cells, ",")); };
+    std::swap(cells[5], cells[6]);
+    if (!is_header) swapped << joined();
+    std::swap(cells[5], cells[6]);
+    if (is_header) swapped << joined();
+    if (!is_header) cells[6] = fmt::format("{:.3f}", std::stod(cells[6]) - 4);
+    off << joined();
+    is_header = false;
+  }
+  off.close();
+  swapped.close();
+  const auto zeroed = fit("off.csv --out p.toml");
+  EXPECT_EQ(zeroed.exit_code, 0) << zeroed.err;
+  EXPECT_THAT(zeroed.err,
+              HasSubstr("warning: off.csv: its force reads -4.04 N along the plate's normal in the air"));
+  EXPECT_THAT(zeroed.out, ContainsRegex("mu_dynamic +0\\.(199|200)"));
+  const auto kept = fit("off.csv --no-tare --out p.toml");
+  EXPECT_EQ(kept.exit_code, 3);
+  EXPECT_THAT(kept.err, AllOf(HasSubstr("a sensor that was not zeroed"), Not(HasSubstr("--force-on"))));
+  const auto refused = fit("swapped.csv --out none.toml");
+  EXPECT_EQ(refused.exit_code, 3);
+  EXPECT_THAT(refused.err, HasSubstr("two columns of force are swapped"));
+  EXPECT_FALSE(fs::exists(folder / "none.toml"));
 }
 
 TEST_F(Fit, LeavesOutTrialsByNameAndTellsIt) {

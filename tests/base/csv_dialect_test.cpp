@@ -284,6 +284,9 @@ TEST(CsvDialect, AnotherEncodingIsToldSo) {
       refusal("t,Gr\xf6\xdf\n0,1\n"),
       EndsWith("; its header is no UTF-8 (Latin-1?): save the table as UTF-8, or its names are not found"));
   EXPECT_EQ(si_per_unit(Quantity::time, "\xb5s"), 1e-6) << "micro in Latin-1";
+  for (const char* micro : {"\u00b5s", "\u03bcs", "us"}) EXPECT_EQ(listed_unit(Quantity::time, micro), "us");
+  EXPECT_EQ(listed_unit(Quantity::length, "\u00b5s"), "\u00b5s") << "no length";
+  EXPECT_EQ(listed_unit(Quantity::time, "furlong"), "furlong");
   EXPECT_EQ(refusal("# gemessen in Z\xfcrich\nt,x,Gr\xf6\xdf\n0,1,2\n"), "taken")
       << "nothing reads that column";
 }

@@ -152,6 +152,15 @@ TEST(RecordingSource, SaysHowATableWasRead) {
   EXPECT_NEAR(motion.path.at(5).p_WQ.x(), 0.01 + 0.005 * 5 / 5.5, 1e-15);
 }
 
+TEST(RecordingSource, TakesMicrosecondsAsPeopleWriteThem) {
+  for (const char* micro : {"us", "\u00b5s", "\u03bcs"}) {
+    const Scene scene = scene_with(std::string("file = \"m.csv\"\ntime_unit = \"") + micro + "\"\n");
+    EXPECT_EQ(scene.motion.format.seconds_per_unit, 1e-6) << micro;
+  }
+  EXPECT_THAT(test::why_not([] { scene_with("file = \"m.csv\"\ntime_unit = \"uss\"\n"); }),
+              AllOf(HasSubstr("unknown time_unit 'uss'"), HasSubstr("did you mean 'us'?")));
+}
+
 TEST(RecordingSource, ATraceSaysItselfWhatItHolds) {
   for (const char* key : {"unit = \"m\"", "columns = { t = \"t_s\" }", "separator = \",\"", "decimal = \".\"",
                           "time_unit = \"s\"", "force_unit = \"N\""}) {
