@@ -27,9 +27,11 @@ std::string time_words(double seconds) {
 std::string felt_words(const FeltSum& felt) {
   if (felt.touching == 0) return "none of them in touch";
   const double share = static_cast<double>(felt.touching) / static_cast<double>(felt.ticks);
-  return fmt::format("{} of them in touch; the greatest force was {} N (normal {} N, friction {} N)",
-                     share_words(share), rounded_text(felt.force_n, 3), rounded_text(felt.normal_force_n, 3),
-                     rounded_text(felt.friction_n, 3));
+  return fmt::format(
+      "{} of them in touch; greatest force {} N, greatest normal force {} N{}, greatest friction {} N",
+      share_words(share), rounded_text(felt.force_n, 3), rounded_text(felt.normal_force_n, 3),
+      felt.several_walls ? " (where several walls held the finger, all of theirs added up)" : "",
+      rounded_text(felt.friction_n, 3));
 }
 
 /// "--rate 1000 (rate_hz in the scene)": the highest rate below a given one that a tick of so long suits;
@@ -58,6 +60,7 @@ void FeltSum::note(const TickRecord& tick) noexcept {
   unsettled += tick.unsettled ? 1 : 0;
   if (tick.phase == Phase::free) return;
   ++touching;
+  several_walls |= tick.walls > 1;
   force_n = std::max(force_n, tick.force_W_n.norm());
   normal_force_n = std::max(normal_force_n, tick.normal_force_n);
   friction_n = std::max(friction_n, tick.friction_W_n.norm());

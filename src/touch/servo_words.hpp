@@ -13,6 +13,7 @@ struct FeltSum {
   long ticks = 0, touching = 0, unsettled = 0;
   // Each the greatest of its own [N].
   double force_n = 0, normal_force_n = 0, friction_n = 0;
+  bool several_walls = false;  ///< held the finger at some tick
 
   /// noexcept, allocates nothing.
   void note(const TickRecord& tick) noexcept;

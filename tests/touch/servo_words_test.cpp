@@ -74,10 +74,22 @@ TEST(TouchEndWords, TellContactForceAndWhatLateMeans) {
   const std::string words = touch_end_words(felt, timing_of(5e-6, 0.24, 900e-6, 4000), 4000);
   EXPECT_THAT(
       words,
-      AllOf(HasSubstr("10000 ticks at 4000 Hz, 25 % of them in touch; the greatest force was 5 N "
-                      "(normal 4 N, friction 3 N)\n"),
+      AllOf(HasSubstr("10000 ticks at 4000 Hz, 25 % of them in touch; greatest force 5 N, "
+                      "greatest normal force 4 N, greatest friction 3 N\n"),
             HasSubstr("\n2400 ticks (24 %) began late, by more than a tick (250 us); the worst by 900 us\n"),
             HasSubstr("half of the ticks took up to 5.0 us")));
+}
+
+// The sum of what walls push with, each its own way, may be more than the force.
+TEST(TouchEndWords, SayWhatTheNormalForceOfSeveralWallsIs) {
+  FeltSum felt;
+  TickRecord corner = touching(Vec3(3, 4, 0), 7, Vec3::Zero());
+  corner.walls = 2;
+  felt.note(corner);
+  EXPECT_THAT(
+      touch_end_words(felt, timing_of(5e-6, 0, 20e-6, 1000), 1000),
+      HasSubstr("greatest force 5 N, greatest normal force 7 N (where several walls held the finger, all of "
+                "theirs added up), greatest friction 0 N"));
 }
 
 TEST(TouchEndWords, OfATouchOfNothing) {
