@@ -18,8 +18,10 @@
 #include "base/count_words.hpp"
 #include "base/error.hpp"
 #include "base/file_identity.hpp"
+#include "base/nearest_word.hpp"
 #include "base/number_text.hpp"
 #include "base/output_place.hpp"
+#include "base/printable_text.hpp"
 #include "trace/trace.hpp"
 #include "view/clock_doubts.hpp"
 #include "view/measured_run.hpp"
@@ -37,6 +39,33 @@ struct PlotOptions {
 
 Over over_of(const std::string& name) {
   return name == "s" ? Over::travel : name == "angle" ? Over::turn : Over::time;
+}
+
+/// What --over takes; of another word what may be meant by it: t, s and angle are too short to be near one.
+std::string over_fault(const std::string& word) {
+  struct Meant {
+    std::string_view said, name;
+  };
+  constexpr Meant meant[] = {{"time", "t"},     {"t_s", "t"},
+                             {"seconds", "t"},  {"travel", "s"},
+                             {"way", "s"},      {"path", "s"},
+                             {"distance", "s"}, {"position", "s"},
+                             {"u", "s"},        {"x", "s"},
+                             {"y", "s"},        {"z", "s"},
+                             {"turn", "angle"}, {"angle_deg", "angle"},
+                             {"deg", "angle"},  {"a", "angle"}};
+  if (word == "t" || word == "s" || word == "angle") return {};
+  std::string_view name;
+  std::vector<std::string> said;
+  for (const Meant& one : meant) said.emplace_back(one.said);
+  const std::string near = std::ranges::find(said, word) != said.end() ? word
+                           : word.size() > 2                           ? nearest_word(word, said)
+                                                                       : "";
+  for (const Meant& one : meant)
+    if (one.said == near) name = one.name;
+  if (name.empty() && word.size() > 2 && nearest_word(word, {"angle"}) == "angle") name = "angle";
+  return fmt::format("'{}' is none of t (time), s (travel along the surface), angle (its turn){}",
+                     printable(word, 60), name.empty() ? "" : fmt::format("; did you mean '{}'?", name));
 }
 
 /// What is earlier than --from and later than --to. Throws Error (refused) where that is all.
@@ -168,7 +197,8 @@ void add_plot(CLI::App& program, Action& action) {
       ->add_option("--over", options->over,
                    "What a history is drawn over: t, time; s, how far the finger has gone along the surface; "
                    "angle, by how much the surface has turned under it, summed up")
-      ->check(one_of({"t", "s", "angle"}))
+      ->check(
+          CLI::Validator(over_fault, CLI::detail::generate_set(std::vector<std::string>{"t", "s", "angle"})))
       ->capture_default_str();
   command
       ->add_option(

@@ -260,6 +260,14 @@ TEST(NearMiss, OfAnOptionsWordOrASubjectIsTold) {
   EXPECT_THAT(told("check part.stl --unit inch"), HasSubstr("'inch' is none of m, mm, cm, in"));
 #ifdef FINGERPAD_VIEW
   EXPECT_THAT(told("plot a.h5 --out p.svg --show spectrm"), HasSubstr("did you mean 'spectrum'?"));
+  for (const auto& [word, meant] :
+       {std::pair("u", "s"), {"time", "t"}, {"tim", "t"}, {"travl", "s"}, {"angl", "angle"}})
+    EXPECT_THAT(
+        told(std::string("plot a.h5 --out p.svg --over ") + word),
+        HasSubstr(std::string("'") + word +
+                  "' is none of t (time), s (travel along the surface), angle (its turn); did you mean '" +
+                  meant + "'?"));
+  EXPECT_THAT(told("plot a.h5 --out p.svg --over q"), HasSubstr("angle (its turn)\n"));
 #endif
 }
 
