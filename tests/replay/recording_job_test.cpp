@@ -142,5 +142,31 @@ TEST(NeverTouches, KnowsTheNearestOfAllSurfacesAndTheFingersRadius) {
   EXPECT_EQ(never_touches(*world, FingerPath(motion, 10, Vec3::UnitX()), 0.0), "") << "inside of the box";
 }
 
+TEST(NeverTouches, NamesAColumnThatIsMirroredOrSwapped) {
+  auto world = std::make_shared<World>(*test::world_of(test::box_soup({0.1, 0.06, 0.02})));
+  world->surfaces[0].mesh = "box.stl";
+  Motion motion;
+  motion.t_s = {0, 1, 2};
+  motion.p_WQ.resize(3, 3);
+  const auto told = [&](const Mat3& written) {
+    Motion taken = motion;
+    taken.p_WQ = written * motion.p_WQ;
+    return never_touches(*world, FingerPath(taken, 10, Vec3::UnitX()), 0.002);
+  };
+  // Over the box's top, off its middle.
+  motion.p_WQ << 0.02, 0.03, 0.045, 0.01, 0.01, 0.01, 0.013, 0.011, 0.013;
+  world->surfaces[0].p_WP = Vec3(0.05, 0.03, 0.01);
+  motion.p_WQ.colwise() += world->surfaces[0].p_WP;
+  EXPECT_EQ(told(Mat3::Identity()), "");
+  Mat3 other = Mat3::Identity();
+  other(0, 0) = -1;
+  EXPECT_THAT(told(other), HasSubstr("; with x mirrored"));
+  other = Mat3::Identity();
+  other.row(0).swap(other.row(2));
+  EXPECT_THAT(told(other),
+              AllOf(HasSubstr("x and z swapped"), HasSubstr("it does: is a column's sign turned")));
+  EXPECT_THAT(told(1e3 * Mat3::Identity()), testing::EndsWith("check [motion] unit and [[part]] unit"));
+}
+
 }  // namespace
 }  // namespace fingerpad::recording_job_test
