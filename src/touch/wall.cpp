@@ -8,13 +8,13 @@ namespace {
 constexpr double cos_one_wall = 0.8660254037844387;  // 30 degrees, as creases are told by default
 
 /// The smallest rotation that takes `from` onto `to` (both unit): two reflections.
+/// @pre they are not opposite: no rotation is the smallest then
 class Turn {
  public:
   Turn(const Vec3& from, const Vec3& to) noexcept
       : from_(from), to_(to), sum_(from + to), cosine_(from.dot(to)) {}
 
   Vec3 of(const Vec3& v) const noexcept {
-    if (cosine_ < -0.999) return v;
     return v - sum_ * (sum_.dot(v) / (1 + cosine_)) + to_ * (2 * from_.dot(v));
   }
 
@@ -89,8 +89,12 @@ void find_walls(const Contact& contact, Walls& walls) noexcept {
     walls.walls[0].share_m *= share_m / sum_length_m;
     return;
   }
+  // Walls that all but face each other: shaded, what is left of their pushes may point the other way.
+  constexpr double cos_opposite = -0.999;
+  const Vec3 together = sum_m / sum_length_m;
+  if (together.dot(contact.normal_W) < cos_opposite) return be_one_wall(contact, walls);
   walls.count = 0;
-  const Turn turn(sum_m / sum_length_m, contact.normal_W);
+  const Turn turn(together, contact.normal_W);
   const double scale = contact.depth_m / sum_length_m;
   for (std::size_t i = 0; i < holds; ++i) {
     const ContactHold& hold = contact.holds[i];
