@@ -140,7 +140,7 @@ test::PointerRun walk(const std::string& name, std::uint64_t seed, double press_
   return walk.run(finger, 1.2, press_n > 0 ? 3 : 1.2);
 }
 
-const int walk_count = test::sanitized() ? 3 : 12;
+const int walk_count = test::sanitized() ? 1 : 12;
 
 // Drawn along by its weak spring alone it would swing into rims.
 TEST(HandFinger, HoversWithoutTouching) {

@@ -19,7 +19,7 @@ using test::PointedWorld;
 using test::PointerRun;
 using test::PointerWalk;
 
-const int path_count = test::sanitized() ? 18 : 200;
+const int path_count = test::sanitized() ? 9 : 200;
 
 /// Force asked for on a path: 0.05 to 20 N, as the window lets one choose; every second path hovers.
 double press_of_path_n(int k, std::size_t world_count) {
