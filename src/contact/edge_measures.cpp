@@ -112,9 +112,12 @@ Edges joined(Edges a, const Edges& b) {
 
 }  // namespace
 
+double rounding_of(const Part& part) {
+  return float32_rounding * (part.half_extent.maxCoeff() + part.centre_P.cwiseAbs().maxCoeff());
+}
+
 double trusted_height_of(const Part& part) {
-  const double largest_m = part.half_extent.maxCoeff() + part.centre_P.cwiseAbs().maxCoeff();
-  return trusted_roundings * float32_rounding * largest_m;
+  return trusted_roundings * rounding_of(part);
 }
 
 PartMeasures measured_edges(const Part& part, double trusted_height_m) {

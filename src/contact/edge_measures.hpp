@@ -4,6 +4,9 @@
 
 namespace fingerpad {
 
+/// By how much the float32 coordinates of a part's file are rounded, at the most [m].
+double rounding_of(const Part& part);
+
 /// The height over its longest edge from which a facet's normal is believed [m].
 double trusted_height_of(const Part& part);
 

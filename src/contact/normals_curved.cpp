@@ -3,6 +3,7 @@
 #include "contact/curved_closest.hpp"
 #include "contact/facet_rule.hpp"
 #include "contact/normals.hpp"
+#include "contact/surface_places.hpp"
 #include "contact/surface_point.hpp"
 
 namespace fingerpad {
@@ -36,9 +37,12 @@ SurfacePoint on_patch(const TriangleTree& tree, const ClosestTriangle& facets, c
   return result;
 }
 
-/// They are what other normals are held against: what is known of the surface.
-double curved_off_rad(const SurfacePlace& /*place*/) noexcept {
-  return 0;
+/// They are what other normals are held against. How far they are off the surface itself is told by how far a
+/// patch's own normal is off them: where the surface turns over from convex to concave by so many times that,
+/// to a seventh (study contact: bend).
+double curved_off_rad(const SurfacePlace& place) noexcept {
+  constexpr double off_per_patch = 0.65;
+  return off_per_patch * place.patch_rad;
 }
 
 }  // namespace

@@ -5,7 +5,7 @@ namespace fingerpad {
 namespace {
 
 double facet_off_rad(const SurfacePlace& place) noexcept {
-  return place.facet_rad;
+  return place.facet_rad + off_with_curved_rad(place);
 }
 
 }  // namespace

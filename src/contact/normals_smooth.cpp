@@ -15,7 +15,7 @@ Vec3 interpolated(const TriangleTree& tree, int t, const TrianglePoint& at,
 }
 
 double smooth_off_rad(const SurfacePlace& place) noexcept {
-  return place.smooth_rad;
+  return place.smooth_rad + off_with_curved_rad(place);
 }
 
 }  // namespace

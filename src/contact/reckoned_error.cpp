@@ -15,13 +15,11 @@ namespace {
 
 /// Of how far a patch's own normal is off the shown one: the shown normal's error, and the height over the
 /// patch's width. So much on the surfaces that study contact knows exactly, at most, and of errors that
-/// count.
+/// count, where the patch itself is touched.
 constexpr double shown_per_patch = 1.25, height_per_patch = 0.5;
 constexpr double last_force = ReckonedError::forces - 1;
 constexpr double whole_force = 2;
 constexpr double keeps_up = ProxyLimits::rounds_per_finger;
-/// Of all places: a region of fewer is not judged.
-constexpr double least_region_share = 1.0 / 2000;
 /// Of a facet's sag, from one to the next: of the one that is nearest, and of several that hold a proxy.
 constexpr double sags_differ_by = 0.5, sags_held_differ_by = 0.25;
 
@@ -92,7 +90,7 @@ double tilt_rad(const Way& way, const SurfacePlace& place, const Centre& centre)
   if (way.touches_patches)
     off = shown_per_patch * place.patch_rad * (u >= 0 ? 1 : 1 / (1 + u));
   else if (way.shows_facets)
-    off = place.facet_rad * facet_turn(u, centre.height_m() < 0, way.lags);
+    off = way.off_rad(place) * facet_turn(u, centre.height_m() < 0, way.lags);
   else
     off = way.off_rad(place) + place.facet_rad * foot_turn(u, held_foot(way, place, centre));
   return std::min(off * hollow_factor(way, place.curvature_per_m, centre), whole_force);
@@ -128,6 +126,11 @@ double quantile_99(std::span<Weighed> shares, double weight) {
     std::pop_heap(shares.begin(), end, is_less);
   }
   return 0;
+}
+
+/// How many times the least force the k-th is.
+double times_least(std::size_t k) noexcept {
+  return std::pow(10.0, static_cast<double>(k) / last_force);
 }
 
 /// Kept from region to region, for its memory.
@@ -181,23 +184,20 @@ std::vector<RegionError> region_errors(std::span<const SurfacePlace> places, con
   std::vector<RegionError> errors;
   const Way way{method.touches_own_surface && normals->own_surface != nullptr, normals->shade == nullptr,
                 method.lags_on_facets, normals->off_rad};
-  const auto fewest = static_cast<std::ptrdiff_t>(least_region_share * static_cast<double>(places.size()));
   Scratch scratch;
-  for (auto first = places.begin(), end = first; first != places.end(); first = end) {
-    end = std::find_if(first, places.end(),
-                       [&](const SurfacePlace& place) { return place.region != first->region; });
-    if (end - first < fewest) continue;
-    RegionError worst{first->region, {}};
+  each_region(places, [&](std::span<const SurfacePlace> region) {
+    if (is_too_small(region, places)) return;
+    RegionError worst{region.front().region, {}};
     for (std::size_t k = 0; k < ReckonedError::forces; ++k) {
-      const double force_n = press.least_force_n() * std::pow(10.0, static_cast<double>(k) / last_force);
-      ReckonedError here = error_in({first, end}, press, way, force_n, scratch);
+      const double force_n = press.least_force_n() * times_least(k);
+      ReckonedError here = error_in(region, press, way, force_n, scratch);
       here.force_shares[k] = here.force_share;
       here.mean_tilts_rad[k] = here.mean_tilt_rad;
       if (k + 1 < ReckonedError::forces) here.mean_tilt_rad = 0;
       take_worse(worst.error, here);
     }
     errors.push_back(worst);
-  }
+  });
   return errors;
 }
 
@@ -206,6 +206,18 @@ ReckonedError reckoned_error(std::span<const SurfacePlace> places, const Press& 
   ReckonedError worst;
   for (const RegionError& one : region_errors(places, press, method, normals)) take_worse(worst, one.error);
   return worst;
+}
+
+double rounding_share(const Press& press, double rounding_m) noexcept {
+  constexpr double felt = 0.01;
+  const double share = press.stiffness_n_per_m * rounding_m / press.least_force_n();
+  return share > felt ? share : 0;
+}
+
+void add_rounding(ReckonedError& error, const Press& press, double rounding_m) noexcept {
+  const double share = rounding_share(press, rounding_m);
+  error.force_share += share;
+  for (std::size_t k = 0; k < ReckonedError::forces; ++k) error.force_shares[k] += share / times_least(k);
 }
 
 }  // namespace fingerpad

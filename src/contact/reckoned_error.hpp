@@ -86,4 +86,11 @@ std::vector<RegionError> region_errors(std::span<const SurfacePlace> places, con
 ReckonedError reckoned_error(std::span<const SurfacePlace> places, const Press& press,
                              const ContactMethodEntry& method, Normals normals);
 
+/// By how much of the least force the force is off where the vertices are off their places by so much, along
+/// it. Less than a hundredth, as near the origin of a file, counts as nothing.
+double rounding_share(const Press& press, double rounding_m) noexcept;
+
+/// Adds that to what is reckoned.
+void add_rounding(ReckonedError& error, const Press& press, double rounding_m) noexcept;
+
 }  // namespace fingerpad

@@ -52,9 +52,23 @@ double curvature_along(const CurvedPatch& patch, const Vec3& direction) {
   return turned.dot(direction) / length2;
 }
 
+/// On a facet of whose normal nothing is known.
+SurfacePlace untold_place(const Part& part, int t, const Vec3& b) {
+  SurfacePlace place;
+  place.facet_rad = place.smooth_rad = place.patch_rad = std::numbers::pi / 2;
+  place.is_told = false;
+  place.triangle = t;
+  Vec3 at = Vec3::Zero();
+  for (int k = 0; k < 3; ++k) at += b[k] * part.vertices.col(part.triangles(k, t));
+  place.region = region_of(part, at);
+  return place;
+}
+
 /// @param b  barycentric coordinates of the place on triangle t
-SurfacePlace place_on(const TriangleTree& tree, int t, const Vec3& b) {
+SurfacePlace place_on(const TriangleTree& tree, int t, const Vec3& b, double trusted_height_m) {
   const Part& part = tree.part();
+  const double width_m = shape_of(part, t).height_m;
+  if (!(width_m > trusted_height_m)) return untold_place(part, t, b);
   const CurvedPatch patch = curved_patch({part, tree.curved_normals()}, t);
   const Vec3 facet = part.facet_normals.col(t);
   SurfacePlace place;
@@ -75,7 +89,7 @@ SurfacePlace place_on(const TriangleTree& tree, int t, const Vec3& b) {
     place.curvature_per_m = curvature_along(patch, leaning);
     place.across_per_m = curvature_along(patch, facet.cross(leaning));
   }
-  place.width_m = shape_of(part, t).height_m;
+  place.width_m = width_m;
   if (!std::isfinite(place.sag_m + place.curvature_per_m + place.across_per_m)) place = {};
   place.triangle = t;
   place.region = region_of(part, flat);
@@ -135,20 +149,31 @@ std::vector<SurfacePlace> surface_places(const TriangleTree& tree, double truste
   double sum_m2 = 0;
   for (int t = 0; t < part.triangle_count(); ++t) {
     const FacetShape shape = shape_of(part, t);
-    sums_m2.push_back(sum_m2 += shape.height_m > trusted_height_m ? shape.area_m2 : 0);
+    sums_m2.push_back(sum_m2 += shape.area_m2);
   }
   const std::size_t count = std::min(most_places, most_per_triangle * sums_m2.size());
   std::vector<SurfacePlace> places(sum_m2 > 0 ? count : 0);
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, places.size(), 256),
-                    [&](const tbb::blocked_range<std::size_t>& range) {
-                      for (std::size_t i = range.begin(); i != range.end(); ++i) {
-                        const double wanted_m2 =
-                            sum_m2 * (static_cast<double>(i) + 0.5) / static_cast<double>(count);
-                        const auto found = std::upper_bound(sums_m2.begin(), sums_m2.end() - 1, wanted_m2);
-                        places[i] = place_on(tree, static_cast<int>(found - sums_m2.begin()), spread(i));
-                      }
-                    });
+  tbb::parallel_for(
+      tbb::blocked_range<std::size_t>(0, places.size(), 256),
+      [&](const tbb::blocked_range<std::size_t>& range) {
+        for (std::size_t i = range.begin(); i != range.end(); ++i) {
+          const double wanted_m2 = sum_m2 * (static_cast<double>(i) + 0.5) / static_cast<double>(count);
+          const auto found = std::upper_bound(sums_m2.begin(), sums_m2.end() - 1, wanted_m2);
+          places[i] = place_on(tree, static_cast<int>(found - sums_m2.begin()), spread(i), trusted_height_m);
+        }
+      });
   return by_region(places);
+}
+
+double untold_share(std::span<const SurfacePlace> places) noexcept {
+  double most = 0;
+  each_region(places, [&](std::span<const SurfacePlace> region) {
+    if (is_too_small(region, places)) return;
+    const auto untold =
+        std::count_if(region.begin(), region.end(), [](const SurfacePlace& place) { return !place.is_told; });
+    most = std::max(most, static_cast<double>(untold) / static_cast<double>(region.size()));
+  });
+  return most;
 }
 
 }  // namespace fingerpad

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <span>
 #include <vector>
 
 #include "base/types.hpp"
@@ -21,10 +23,18 @@ struct SurfacePlace {
   double curvature_per_m = 0;  ///< along the way in which the facet leans; > 0 where it is convex
   double across_per_m = 0;     ///< across that way
   int triangle = -1;           ///< the facet's number
+  bool is_told = true;         ///< false: of a facet whose normal is noise; all that is off is a right angle
   int region = 0;              ///< which of the cubes it lies in, an eighth of the part's longest side wide
 
   bool operator==(const SurfacePlace&) const = default;
 };
+
+/// How far normals that are held against curved ones are off the surface with these, where it turns over from
+/// convex to concave: to a tenth of what study contact finds there (bend).
+inline double off_with_curved_rad(const SurfacePlace& place) noexcept {
+  constexpr double off_per_patch = 0.8;
+  return off_per_patch * place.patch_rad;
+}
 
 /// The region that a point of the part lies in.
 /// @param x  relative to the part's centre [m]
@@ -36,7 +46,28 @@ bool reaches_region(const Part& part, const Vec3& low, const Vec3& high, int reg
 
 /// Region by region. At 16,384 places, and at no more than 64 times the triangles. On all threads, the same
 /// on any number of them. A facet that is lower than this over its longest edge has no normal that is
-/// believed, and no place.
+/// believed.
 std::vector<SurfacePlace> surface_places(const TriangleTree& tree, double trusted_height_m);
+
+/// Calls take(places of one region) for each.
+/// @param places  region by region
+template <class Take>
+void each_region(std::span<const SurfacePlace> places, Take take) {
+  for (auto first = places.begin(), end = first; first != places.end(); first = end) {
+    end = std::find_if(first, places.end(),
+                       [&](const SurfacePlace& place) { return place.region != first->region; });
+    take(std::span(first, end));
+  }
+}
+
+/// Whether a region has less than a two-thousandth of a part's places: too few to judge it by.
+inline bool is_too_small(std::span<const SurfacePlace> region, std::span<const SurfacePlace> all) noexcept {
+  return region.size() < all.size() / 2000;
+}
+
+/// Of the places in a region, where that is the most: those of facets whose normal is not believed. Regions
+/// that are too small do not count.
+/// @param places  region by region
+double untold_share(std::span<const SurfacePlace> places) noexcept;
 
 }  // namespace fingerpad

@@ -38,7 +38,9 @@ std::vector<ExactSurface> exact_surfaces(int most_levels = all_levels);
 
 /// Where a part's places differ: a spherical hollow of 8.5 mm in a box, which a ball of 7 mm just fits; a
 /// knob, a three-hundredth of the surface of a plate 0.3 m wide that is flat but for it; a block whose flat
-/// sides are two triangles each, and its roundings many. Their ways stay in the hollow and on the knob.
+/// sides are two triangles each, and its roundings many; a bar on which a hill and a hollow of 20 mm meet
+/// with nothing flat between, where facets of one row tell the least of how the surface turns. Their ways
+/// stay in the hollow, on the knob and about where the two meet.
 std::vector<ExactSurface> small_exact_surfaces(int most_levels = all_levels);
 
 }  // namespace fingerpad

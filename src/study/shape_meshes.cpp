@@ -76,6 +76,29 @@ TriangleSoup revolved_mesh(const std::vector<Vec2>& profile, int around, double 
   return soup_of(vertices, triangles);
 }
 
+TriangleSoup bar_mesh(const std::vector<Vec2>& profile, double half_width_m, double bottom_m) {
+  std::vector<Vec3> vertices;  // four a point: the top's and the bottom's, on the near side and the far
+  std::vector<Eigen::Vector3i> triangles;
+  const auto quad = [&triangles](int a, int b, int c, int d) {
+    triangles.emplace_back(a, b, c);
+    triangles.emplace_back(a, c, d);
+  };
+  for (const Vec2& at : profile) {
+    for (const double z_m : {at.y(), bottom_m})
+      for (const double y_m : {-half_width_m, half_width_m}) vertices.emplace_back(at.x(), y_m, z_m);
+  }
+  const int last = 4 * (static_cast<int>(profile.size()) - 1);
+  for (int i = 0; i < last; i += 4) {
+    quad(i, i + 4, i + 5, i + 1);
+    quad(i + 2, i + 3, i + 7, i + 6);
+    quad(i, i + 2, i + 6, i + 4);
+    quad(i + 1, i + 5, i + 7, i + 3);
+  }
+  quad(0, 1, 3, 2);
+  quad(last, last + 2, last + 3, last + 1);
+  return soup_of(vertices, triangles);
+}
+
 TriangleSoup ball_mesh(double radius_m, int subdivisions) {
   std::vector<Vec3> vertices{Vec3::UnitX(),  -Vec3::UnitX(), Vec3::UnitY(),
                              -Vec3::UnitY(), Vec3::UnitZ(),  -Vec3::UnitZ()};

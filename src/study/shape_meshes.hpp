@@ -19,6 +19,11 @@ TriangleSoup torus_mesh(double ring_m, double tube_m, int around, int across);
 /// @param profile  radius and height of each ring, from the top to the bottom
 TriangleSoup revolved_mesh(const std::vector<Vec2>& profile, int around, double top_m, double bottom_m);
 
+/// What lies under a profile down to a height, from -half_width_m to half_width_m along y; its top has two
+/// triangles from one point of the profile to the next, as CAD tessellates what bends one way.
+/// @param profile  x and z of each point, x rising
+TriangleSoup bar_mesh(const std::vector<Vec2>& profile, double half_width_m, double bottom_m);
+
 /// A block about the origin, its edges and corners rounded in `steps` facets a quarter turn; its flat sides,
 /// which a CAD tessellation leaves whole, are of two triangles each.
 /// @param inner_half_m  half its sizes, less the rounding

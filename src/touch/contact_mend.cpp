@@ -235,11 +235,15 @@ std::string not_enough_words(const std::vector<Tried>& tried, const Left& as_it_
 
 std::string mend_of(const Scene& scene, ContactReckoning& reckoning, const ContactVerdict& verdict,
                     std::size_t i) {
+  const Unkept unkept = verdict.unkept_on(i);
+  if ((unkept == Unkept::force || unkept == Unkept::friction) &&
+      is_of_digits(verdict.cases[i], verdict.chosen().errors[i]))
+    return "the same mesh nearer to its origin would";
   const Trials trials(scene, reckoning, verdict, i);
   const std::vector<Tried> tried = trials.try_all();
   if (!tried.empty() && tried.back().left.unkept == Unkept::nothing)
     return tried.back().change.words + " would";
-  const Left as_it_is{verdict.unkept_on(i), no_tolerance, 0, verdict.chosen().tolerances(verdict.cases, i)};
+  const Left as_it_is{unkept, no_tolerance, 0, verdict.chosen().tolerances(verdict.cases, i)};
   if (const int times = trials.finer_facets({{"", scene}, as_it_is}); times > 0)
     return fmt::format("{} would (facets {} times smaller){}", finer_mesh, times,
                        better_words(tried, as_it_is));

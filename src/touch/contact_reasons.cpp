@@ -69,9 +69,12 @@ std::string normals_reason(const ContactVerdict& verdict, std::size_t i, double 
   return needs_here ? than : than + ", and another part needs them";
 }
 
-/// Facets that stand for a smooth surface, in words.
+/// Facets that stand for a smooth surface, or have too few digits, in words.
 std::string facets_words(const ContactCase& on, const ReckonedError& error) {
   const PartMeasures& part = on.contact.part;
+  if (is_of_digits(on, error))
+    return fmt::format("it stands so far from its file's origin that its vertices are rounded by up to {} mm",
+                       rounded_text(1e3 * part.rounding_m, 2));
   const double sag_share = part.largest_sag_m * on.press.stiffness_n_per_m / on.press.least_force_n();
   const std::string turn =
       fmt::format("turn by up to {} degrees where they stand for a smooth surface",
@@ -104,12 +107,12 @@ bool is_rounded_tighter(std::span<const SurfacePlace> places, double slips_m) {
   const auto is_tighter = [slips_m](const SurfacePlace& place) {
     return place.curvature_per_m * slips_m > 1;
   };
-  for (auto first = places.begin(), end = first; first != places.end(); first = end) {
-    end = std::find_if(first, places.end(),
-                       [&](const SurfacePlace& place) { return place.region != first->region; });
-    if (100 * std::count_if(first, end, is_tighter) > end - first) return true;
-  }
-  return false;
+  bool any = false;
+  each_region(places, [&](std::span<const SurfacePlace> region) {
+    const auto tighter = std::count_if(region.begin(), region.end(), is_tighter);
+    any = any || 100 * static_cast<std::size_t>(tighter) > region.size();
+  });
+  return any;
 }
 
 std::string slips_words(double slips_m) {

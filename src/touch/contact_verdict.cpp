@@ -74,6 +74,12 @@ bool falls_behind(const ContactCase& on, const ReckonedError& error) noexcept {
   return !on.contact.crowded.is_too_much() && error.behind_share > on.contact.force_tolerance;
 }
 
+bool is_of_digits(const ContactCase& on, const ReckonedError& error) noexcept {
+  constexpr double promised_ticks = 0.99;
+  return on.contact.part.untold_share > 1 - promised_ticks ||
+         2 * rounding_share(on.press, on.contact.part.rounding_m) > error.force_share;
+}
+
 double kept_force_tolerance(double error) noexcept {
   const double kept = reckoning_margin * error;
   return kept > most_force_kept ? nothing_is_kept : kept;

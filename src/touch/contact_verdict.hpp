@@ -42,6 +42,10 @@ double holds_deep_m(const ContactCase& on) noexcept;
 /// Whether all that a method cannot do on a part is to keep up with a ball.
 bool falls_behind(const ContactCase& on, const ReckonedError& error) noexcept;
 
+/// Whether the mesh's own numbers are why it is not kept on a part: they are rounded by what is felt, or its
+/// facets are too small for them.
+bool is_of_digits(const ContactCase& on, const ReckonedError& error) noexcept;
+
 /// What can be kept in the place of force_tolerance where the reckoned error is so large; infinity: nothing.
 double kept_force_tolerance(double error) noexcept;
 

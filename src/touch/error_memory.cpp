@@ -16,8 +16,9 @@ const ReckonedError& ErrorMemory::error(const ContactCase& on, const ContactMeth
                 normals.operator->()};
   const auto found = errors_.find(key);
   if (found != errors_.end()) return found->second;
-  return errors_.emplace(key, reckoned_error(places(part, on.finer), on.press, method, normals))
-      .first->second;
+  ReckonedError error = reckoned_error(places(part, on.finer), on.press, method, normals);
+  add_rounding(error, on.press, part.rounding_m);
+  return errors_.emplace(key, error).first->second;
 }
 
 const std::vector<SurfacePlace>& ErrorMemory::places(const PartMeasures& part, int finer) {
@@ -27,6 +28,7 @@ const std::vector<SurfacePlace>& ErrorMemory::places(const PartMeasures& part, i
   finer_ = finer;
   finer_places_ = part.places;
   for (SurfacePlace& place : finer_places_) {
+    if (!place.is_told) continue;  // nor is it of a smaller facet
     place.sag_m /= finer * finer;
     for (double* number : {&place.facet_rad, &place.smooth_rad, &place.patch_rad, &place.width_m})
       *number /= finer;

@@ -64,6 +64,26 @@ TEST(ReckonedError, OfAPatchIsWhatItsOwnNormalTurnsTheFootBy) {
   EXPECT_NEAR(share(place, press, "closest-point", Normals::curved), 0.0625, 1e-12);
 }
 
+TEST(ReckonedError, OfAnyNormalsIsHowFarThePatchesThatTheyAreHeldAgainstDoNotFitTheirs) {
+  SurfacePlace place;
+  place.patch_rad = 0.02;
+  EXPECT_NEAR(share(place, press, "proxy", Normals::curved), 0.65 * 0.02, 1e-12);
+  place.smooth_rad = 0.01;
+  EXPECT_NEAR(share(place, press, "proxy", Normals::smooth), 0.01 + 0.8 * 0.02, 1e-12);
+  place.facet_rad = 0.05;
+  EXPECT_NEAR(share(place, press, "closest-point", Normals::facet), 0.05 + 0.8 * 0.02, 1e-12);
+}
+
+TEST(ReckonedError, OfRoundedCoordinatesIsFeltTheMostByTheLightestTouch) {
+  EXPECT_NEAR(rounding_share(press, 5e-5), 0.05, 1e-12) << "0.05 N of 1 N";
+  EXPECT_EQ(rounding_share(press, 5e-6), 0) << "a two-hundredth, which nobody feels";
+  ReckonedError error;
+  add_rounding(error, press, 5e-5);
+  EXPECT_NEAR(error.force_share, 0.05, 1e-12);
+  EXPECT_NEAR(error.force_shares.front(), 0.05, 1e-12);
+  EXPECT_NEAR(error.force_shares.back(), 0.005, 1e-12);
+}
+
 TEST(ReckonedError, IsToldUnderEachForce) {
   SurfacePlace light, deep;
   light.sag_m = 5e-5;

@@ -448,5 +448,32 @@ TEST(ContactChoice, ATouchThatLeavesItOpenHoldsAtAThinPlate) {
   EXPECT_LT(deep_force_z(scene), 0) << "and says so where the scene insists";
 }
 
+/// A soup that was moved so far along x, and written in float32 numbers there.
+TriangleSoup written_far_off(const TriangleSoup& soup, double offset_m) {
+  TriangleSoup moved = test::moved(soup, Vec3(offset_m, 0, 0));
+  for (double& coordinate : moved.vertices_P.reshaped())
+    coordinate = static_cast<double>(static_cast<float>(coordinate));
+  return moved;
+}
+
+TEST(ContactChoice, AMeshTooFarFromItsOriginForItsDigitsIsTold) {
+  const TriangleSoup sphere = test::sphere_soup(0.02, 5);
+  Scene scene;  // 1 mm deep at the least
+  scene.contact.automatic_normals = true;
+  const ContactChoice near = choice_for(scene, surfaces_of(written_far_off(sphere, 0.1)));
+  EXPECT_THAT(near.limits[0].said, IsEmpty());
+  // At 400 m vertices are rounded by 0.024 mm, which is felt, and no facet of a millimetre is believed.
+  const ContactChoice far = choice_for(scene, surfaces_of(written_far_off(sphere, 400)));
+  EXPECT_THAT(far.limits[0].said, HasSubstr("force_tolerance 0.03 cannot be kept, nor anything like it"));
+  EXPECT_THAT(far.limits[0].said, HasSubstr("so far from its file's origin that its vertices are rounded"));
+  EXPECT_THAT(far.limits[0].said, HasSubstr("the same mesh nearer to its origin would"));
+  // A box's sides are believed there, and stand 0.08 mm off.
+  const TriangleSoup box = box_soup({0.1, 0.1, 0.1});
+  const ContactChoice far_box = choice_for(scene, surfaces_of(written_far_off(box, 1300)));
+  EXPECT_THAT(far_box.limits[0].said, HasSubstr("force_tolerance 0.03 cannot be kept, 0.1 can"));
+  EXPECT_THAT(far_box.limits[0].said, HasSubstr("the same mesh nearer to its origin would"));
+  EXPECT_THAT(choice_for(scene, surfaces_of(box)).limits[0].said, IsEmpty());
+}
+
 }  // namespace
 }  // namespace fingerpad::contact_choice_test
