@@ -152,6 +152,7 @@ int fit(const FitOptions& options) {
   leave_out_turned_presses(recorded);
   const std::string force_mend = recorded.force_mend;
   Measurement measurement = clean(std::move(recorded), cleaning);
+  measurement.steps.insert(measurement.steps.begin(), zeroed.begin(), zeroed.end());
   measurement.steps.insert(measurement.steps.begin(), named.begin(), named.end());
   warn(left_out_warnings(measurement));
   add_lines(left_out_warnings(measurement), told.warnings);

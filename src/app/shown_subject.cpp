@@ -39,7 +39,8 @@ std::vector<TickRecord> replayed(const Scene& scene, const std::shared_ptr<const
   if (loop.has_diverged()) throw refused(scene.path, loop.divergence());
   const auto touches = [](const TickRecord& row) { return row.phase != Phase::free; };
   if (std::none_of(rows.begin(), rows.end(), touches)) {
-    const std::string words = never_touches(*world, path, scene.finger.radius_m);
+    const std::string words =
+        never_touches(*world, path, scene.finger.radius_m, !scene.motion.placement.is_world());
     if (!words.empty()) print_err("fingerpad: warning: {}: {}\n", scene.name, words);
   }
   return rows;

@@ -116,6 +116,11 @@ double rounding_of(const Part& part) {
   return float32_rounding * (part.half_extent.maxCoeff() + part.centre_P.cwiseAbs().maxCoeff());
 }
 
+bool is_far_off(const Part& part) {
+  constexpr double far = 10;
+  return part.centre_P.cwiseAbs().maxCoeff() > far * part.half_extent.maxCoeff();
+}
+
 double trusted_height_of(const Part& part) {
   return trusted_roundings * rounding_of(part);
 }

@@ -168,7 +168,7 @@ PartMeasures measure_part(const Part& part, const TriangleTree& tree) {
   measures.ray_count = static_cast<int>(samples.walls().size());
   measures.median_m = median_thickness(samples.walls());
   measures.thinnest_m = samples.walls().front().thickness_m;
-  measures.rounding_m = rounding_of(part);
+  if (is_far_off(part)) measures.rounding_m = rounding_of(part);
   measures.places = surface_places(tree, trusted_height_m);
   measures.untold_share = untold_share(measures.places);
   measures.tightest_round_m = round_radius_m(measures.places, 0.99);

@@ -39,6 +39,7 @@ struct PartMeasures {
   double tightest_round_m = inf;     ///< all but a hundredth of its area is rounded less tightly, to a fifth
   double median_round_m = inf;       ///< and half of it
 
+  // Of a part that stands far off its file's origin (is_far_off); near it both are 0.
   double rounding_m = 0;  ///< of the file's float32 coordinates, at the most: of a vertex's place
   double untold_share =
       0;  ///< of a region's area, where that is the most: facets whose normal is not believed

@@ -69,6 +69,10 @@ struct RegionError {
 /// over roundings tighter than a point is deep, from which it slides off at once. A region of
 /// less than a two-thousandth of the part's places is not judged: they are too few.
 ///
+/// The patches' shown normals, which all are held against, are off the surface where they fit their patches
+/// badly: all are off by so much more (NormalsEntry::off_rad). Of a facet too low for its file's digits
+/// nothing is known: all that is off there is a right angle.
+///
 /// A method that touches the patches themselves has no foot on facets. A patch whose own normals are turned
 /// off the shown ones by s shows normals off by 5/4 s, and stands off by half the height that a slope of s
 /// makes over the facet's width. Inside a rounding that turns the foot on the patch too, as above by
@@ -87,7 +91,7 @@ ReckonedError reckoned_error(std::span<const SurfacePlace> places, const Press& 
                              const ContactMethodEntry& method, Normals normals);
 
 /// By how much of the least force the force is off where the vertices are off their places by so much, along
-/// it. Less than a hundredth, as near the origin of a file, counts as nothing.
+/// it. Less than a hundredth counts as nothing.
 double rounding_share(const Press& press, double rounding_m) noexcept;
 
 /// Adds that to what is reckoned.

@@ -11,6 +11,7 @@
 #include <numeric>
 
 #include "contact/curved_patch.hpp"
+#include "contact/edge_measures.hpp"
 #include "contact/normals.hpp"
 #include "contact/triangle_tree.hpp"
 
@@ -144,12 +145,14 @@ bool reaches_region(const Part& part, const Vec3& low, const Vec3& high, int reg
 
 std::vector<SurfacePlace> surface_places(const TriangleTree& tree, double trusted_height_m) {
   const Part& part = tree.part();
+  const bool tells_low = is_far_off(part);
   std::vector<double> sums_m2;
   sums_m2.reserve(static_cast<std::size_t>(part.triangle_count()));
   double sum_m2 = 0;
   for (int t = 0; t < part.triangle_count(); ++t) {
     const FacetShape shape = shape_of(part, t);
-    sums_m2.push_back(sum_m2 += shape.area_m2);
+    const bool has_places = tells_low || shape.height_m > trusted_height_m;
+    sums_m2.push_back(sum_m2 += has_places ? shape.area_m2 : 0);
   }
   const std::size_t count = std::min(most_places, most_per_triangle * sums_m2.size());
   std::vector<SurfacePlace> places(sum_m2 > 0 ? count : 0);

@@ -29,10 +29,10 @@ struct SurfacePlace {
   bool operator==(const SurfacePlace&) const = default;
 };
 
-/// How far normals that are held against curved ones are off the surface with these, where it turns over from
-/// convex to concave: to a tenth of what study contact finds there (bend).
+/// How far normals that are held against curved ones are off the surface together with these, where it turns
+/// over from convex to concave: at the most what study contact finds there (bend).
 inline double off_with_curved_rad(const SurfacePlace& place) noexcept {
-  constexpr double off_per_patch = 0.8;
+  constexpr double off_per_patch = 1.0;
   return off_per_patch * place.patch_rad;
 }
 
@@ -46,7 +46,8 @@ bool reaches_region(const Part& part, const Vec3& low, const Vec3& high, int reg
 
 /// Region by region. At 16,384 places, and at no more than 64 times the triangles. On all threads, the same
 /// on any number of them. A facet that is lower than this over its longest edge has no normal that is
-/// believed.
+/// believed; near a file's origin it has no place either, for it is a sliver whose neighbours tell the
+/// surface (is_far_off).
 std::vector<SurfacePlace> surface_places(const TriangleTree& tree, double trusted_height_m);
 
 /// Calls take(places of one region) for each.

@@ -93,7 +93,7 @@ std::string remedy_words(const World& world, const FingerPath& path, double radi
 
 }  // namespace
 
-std::string never_touches(const World& world, const FingerPath& path, double radius_m) {
+std::string never_touches(const World& world, const FingerPath& path, double radius_m, bool is_placed) {
   const Nearest nearest = nearest_of(world, path, radius_m, Mat3::Identity());
   if (!(nearest.gap_m >= 0) || !std::isfinite(nearest.gap_m)) return {};
   const Surface& surface = world.surfaces[nearest.surface];
@@ -101,7 +101,8 @@ std::string never_touches(const World& world, const FingerPath& path, double rad
       fmt::format("the motion never touches: it comes nearest at t = {} s, {} mm from",
                   rounded_text(nearest.t_s, 4), rounded_text(mm_per_m * nearest.gap_m, 4));
   const std::string spans = size_text(nearest.high - nearest.low);
-  const std::string remedy = path.recording() != nullptr ? remedy_words(world, path, radius_m) : "";
+  const std::string remedy =
+      path.recording() != nullptr && !is_placed ? remedy_words(world, path, radius_m) : "";
   if (surface.is_plane())
     return fmt::format("{} plane {}; the motion spans {}: check [motion] unit{}", reach, nearest.surface,
                        spans, remedy);

@@ -121,7 +121,8 @@ void warn_of_odd_depth(const Scene& scene, const World& world, const FingerPath&
                      scene.name, rounded_text(mm_per_m * depth_m, 4),
                      scene.parts.empty() ? "" : " and [[part]] unit"));
   if (Figures::of(result.figures, "contact_ticks") > 0) return;
-  const std::string words = never_touches(world, path, scene.finger.radius_m);
+  const std::string words =
+      never_touches(world, path, scene.finger.radius_m, !scene.motion.placement.is_world());
   if (!words.empty()) warn(result, fmt::format("{}: {}", scene.name, words));
 }
 

@@ -46,14 +46,15 @@ double friction_spread_n(const RecordedTrial& trial, const Samples& samples) {
   return spread_n;
 }
 
-/// Whether the finger is off the plate at its trial's ends: it stands higher there; where no height was
-/// measured, friction goes to and fro in between alone. One that presses at both ends and is lifted in
-/// between, with a force on the plate, looks alike in its normal force.
+/// Whether the finger is off the plate at its trial's ends: it stands higher there; where no height, or
+/// nothing but its noise, was measured, friction goes to and fro in between alone. One that presses at both
+/// ends and is lifted in between, with a force on the plate, looks alike in its normal force.
 bool is_off_the_plate(const RecordedTrial& trial, const Samples& ends, const Samples& pressed) {
-  constexpr double surely_friction = 5;
+  constexpr double surely_friction = 5, beyond_noise = 5;
   const Eigen::RowVectorXd height_m = trial.normal_W.transpose() * trial.seen_W();
   const double above_m = median_of(some_of(height_m, ends)) - median_of(some_of(height_m, pressed));
-  if (above_m != 0) return above_m > 0;
+  const double noise_m = sample_noise({height_m.data(), static_cast<std::size_t>(height_m.size())});
+  if (std::abs(above_m) > beyond_noise * noise_m) return above_m > 0;
   return trial.lacks.empty() &&
          friction_spread_n(trial, pressed) > surely_friction * friction_spread_n(trial, ends);
 }

@@ -51,7 +51,7 @@ const MeasurementReader& reader_of(const std::string& path) {
 /// Reads a file. Of a recording that is not finished says so, whatever else is told of it.
 void read_one(const MeasurementReader& reader, const std::string& path, const MeasurementFormat& format,
               RecordedMeasurement& into) {
-  if (!path.ends_with(".part")) return reader.read(path, format, into);
+  if (!path.ends_with(".part") || !std::filesystem::exists(path)) return reader.read(path, format, into);
   into.warnings.push_back(fmt::format("{}: {}", path, unfinished_words));
   try {
     reader.read(path, format, into);

@@ -238,7 +238,7 @@ std::string mend_of(const Scene& scene, ContactReckoning& reckoning, const Conta
   const Unkept unkept = verdict.unkept_on(i);
   if ((unkept == Unkept::force || unkept == Unkept::friction) &&
       is_of_digits(verdict.cases[i], verdict.chosen().errors[i]))
-    return "the same mesh nearer to its origin would";
+    return "move it nearer to its origin, and ask again: what is left then is not known before";
   const Trials trials(scene, reckoning, verdict, i);
   const std::vector<Tried> tried = trials.try_all();
   if (!tried.empty() && tried.back().left.unkept == Unkept::nothing)

@@ -7,20 +7,65 @@ namespace {
 
 constexpr double cos_one_wall = 0.8660254037844387;  // 30 degrees, as creases are told by default
 
-/// The smallest rotation that takes `from` onto `to` (both unit): two reflections.
-/// @pre they are not opposite: no rotation is the smallest then
+/// Takes `from` onto `to` (both unit): by the smallest rotation, two reflections. Where that would be more
+/// than a right angle, by one: then `from` is what little is left of pushes that all but cancel, and walls
+/// that face each other would change places.
 class Turn {
  public:
   Turn(const Vec3& from, const Vec3& to) noexcept
       : from_(from), to_(to), sum_(from + to), cosine_(from.dot(to)) {}
 
   Vec3 of(const Vec3& v) const noexcept {
+    const Vec3 apart = from_ - to_;
+    if (cosine_ < 0) return v - apart * (apart.dot(v) / (1 - cosine_));
     return v - sum_ * (sum_.dot(v) / (1 + cosine_)) + to_ * (2 * from_.dot(v));
   }
 
  private:
   Vec3 from_, to_, sum_;
   double cosine_;
+};
+
+/// What each hold pushes by, as felt: along its shaded normal, turned and scaled as all of them are, so that
+/// they add up to the contact's own push.
+///
+/// Of walls that all but face each other little is left of the sum, and shading leaves any other little: no
+/// scale above two is taken from that, the less of its direction the less there is, and what is then missing
+/// is added by shares. So no hold pushes by more than some times its own share.
+class SharedPush {
+ public:
+  /// @param sum_m  of the holds' shares along their shaded normals
+  SharedPush(const Vec3& sum_m, const Contact& contact) noexcept
+      : turn_(direction_of(sum_m, contact.normal_W), contact.normal_W) {
+    constexpr double largest = 2;
+    const double length_m = sum_m.norm(), depth_m = contact.depth_m;
+    if (depth_m <= largest * length_m) {
+      scale_ = depth_m / length_m;
+      return;
+    }
+    const double told = largest * length_m / depth_m;  // 1 where the scale is the largest, 0 of no sum
+    const Vec3 from = direction_of(sum_m, contact.normal_W);
+    turn_ = Turn(from, direction_of((1 - told) * from + told * contact.normal_W, from));
+    scale_ = largest;
+    double shares_m = 0;
+    for (int i = 0; i < contact.hold_count; ++i)
+      shares_m += contact.holds[static_cast<std::size_t>(i)].share_m;
+    missing_per_share_ = (depth_m * contact.normal_W - scale_ * turn_.of(sum_m)) / shares_m;
+  }
+
+  Vec3 of(const ContactHold& hold) const noexcept {
+    return scale_ * hold.share_m * turn_.of(hold.normal_W) + hold.share_m * missing_per_share_;
+  }
+
+ private:
+  static Vec3 direction_of(const Vec3& v, const Vec3& otherwise) noexcept {
+    const double length = v.norm();
+    return length > 0 ? Vec3(v / length) : otherwise;
+  }
+
+  Turn turn_;
+  double scale_ = 1;
+  Vec3 missing_per_share_ = Vec3::Zero();
 };
 
 void add(Walls& walls, const ContactHold& hold, const Vec3& push_m) noexcept {
@@ -79,7 +124,6 @@ void find_walls(const Contact& contact, Walls& walls) noexcept {
   const auto holds = static_cast<std::size_t>(contact.hold_count);
   for (std::size_t i = 0; i < holds; ++i) sum_m += contact.holds[i].share_m * contact.holds[i].normal_W;
   const double sum_length_m = sum_m.norm();
-  if (!(sum_length_m > 1e-6 * greatest.share_m)) return be_one_wall(contact, walls);
   if (are_one_wall(contact)) {
     // Turned or not, a hold pushes as far; and turned as they are, they add up to the contact's own push.
     double share_m = 0;
@@ -89,17 +133,11 @@ void find_walls(const Contact& contact, Walls& walls) noexcept {
     walls.walls[0].share_m *= share_m / sum_length_m;
     return;
   }
-  // Walls that all but face each other: shaded, what is left of their pushes may point the other way.
-  constexpr double cos_opposite = -0.999;
-  const Vec3 together = sum_m / sum_length_m;
-  if (together.dot(contact.normal_W) < cos_opposite) return be_one_wall(contact, walls);
   walls.count = 0;
-  const Turn turn(together, contact.normal_W);
-  const double scale = contact.depth_m / sum_length_m;
+  const SharedPush push(sum_m, contact);
   for (std::size_t i = 0; i < holds; ++i) {
     const ContactHold& hold = contact.holds[i];
-    if (!(hold.share_m > 0)) continue;
-    add(walls, hold, scale * hold.share_m * turn.of(hold.normal_W));
+    if (hold.share_m > 0) add(walls, hold, push.of(hold));
   }
   sort_by_share(walls);
 }

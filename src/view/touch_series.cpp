@@ -125,7 +125,9 @@ Vec3 main_direction(std::span<const TickRecord> rows) {
     const Vec3 offset = place_of(row) - mean;
     spread += offset * offset.transpose();
   }
-  if (!(spread.trace() > 0) || !spread.allFinite()) return Vec3::UnitX();
+  // What rests spreads by the mean's rounding.
+  const double rounding_m = 1e-12 * mean.norm();
+  if (!(spread.trace() > count * rounding_m * rounding_m) || !spread.allFinite()) return Vec3::UnitX();
   Vec3 direction = Eigen::SelfAdjointEigenSolver<Mat3>(spread).eigenvectors().col(2);
   int largest = 0;
   direction.cwiseAbs().maxCoeff(&largest);

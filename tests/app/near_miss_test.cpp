@@ -30,7 +30,7 @@ TEST(NearMiss, ARecordingThatIsNotFinishedIsToldBeforeANameLikeIt) {
   const fs::path folder = test::scratch_dir();
   test::write_file(folder, "live_e.csv", "t_s\n");
   test::write_file(folder, "live.csv.part", "t_s\n");
-  EXPECT_THAT(test::fingerpad("plot live.csv --out p.png", folder).err,
+  EXPECT_THAT(test::fingerpad("export live.csv --out p.csv", folder).err,
               AllOf(HasSubstr("of a recording by that name there is live.csv.part"),
                     HasSubstr("still being written"), testing::Not(HasSubstr("live_e.csv"))));
 }

@@ -148,10 +148,10 @@ TEST(NeverTouches, NamesAColumnThatIsMirroredOrSwapped) {
   Motion motion;
   motion.t_s = {0, 1, 2};
   motion.p_WQ.resize(3, 3);
-  const auto told = [&](const Mat3& written) {
+  const auto told = [&](const Mat3& written, bool is_placed = false) {
     Motion taken = motion;
     taken.p_WQ = written * motion.p_WQ;
-    return never_touches(*world, FingerPath(taken, 10, Vec3::UnitX()), 0.002);
+    return never_touches(*world, FingerPath(taken, 10, Vec3::UnitX()), 0.002, is_placed);
   };
   // Over the box's top, off its middle.
   motion.p_WQ << 0.02, 0.03, 0.045, 0.01, 0.01, 0.01, 0.013, 0.011, 0.013;
@@ -161,6 +161,8 @@ TEST(NeverTouches, NamesAColumnThatIsMirroredOrSwapped) {
   Mat3 other = Mat3::Identity();
   other(0, 0) = -1;
   EXPECT_THAT(told(other), HasSubstr("; with x mirrored"));
+  EXPECT_THAT(told(other, true), AllOf(HasSubstr("never touches"), testing::Not(HasSubstr("mirrored"))))
+      << "its own columns are not the world's";
   other = Mat3::Identity();
   other.row(0).swap(other.row(2));
   EXPECT_THAT(told(other),

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "study/promise_trial.hpp"
@@ -46,9 +47,9 @@ TEST(AutoJudged, KeepsItsWordOnSurfacesThatAreKnownExactly) {
   take_exact_cases([&](const JudgedCase& one) { all.take(one); }, judges_all ? "" : "knob");
   if (!judges_all) return;
   const JudgedCount count = all.count();
-  EXPECT_EQ(count.cases, 52);
+  EXPECT_EQ(count.cases, 56);
   EXPECT_GE(count.kept, 30) << "it does not talk itself out of everything";
-  EXPECT_LE(count.needless, 5);
+  EXPECT_LE(46 * count.needless, 5 * count.cases) << "no more than one in nine";
   EXPECT_GE(10 * count.near_cheapest, 9 * count.kept)
       << "nine of ten cost 1.2 times the cheapest at the most";
 }
@@ -83,8 +84,8 @@ TEST(AutoJudged, KeepsItsWordOnRealParts) {
   // Of few strokes one that stays on a bad spot would decide.
   Judgement all{.trial_strokes = judges_all ? 48 : 6};
   auto parts = test::real_parts();
-  if (!judges_all)
-    parts.erase(parts.begin() + 2, parts.end());  // to load the others takes longer than to judge
+  // To load the others takes longer than to judge them.
+  if (!judges_all) parts.resize(std::min<std::size_t>(2, parts.size()));
   for (const auto& part : parts)
     take_part_cases(part.string(), 6, [&](const JudgedCase& one) { all.take(one); });
   EXPECT_GT(all.cases, 0);

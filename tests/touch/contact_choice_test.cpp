@@ -466,13 +466,21 @@ TEST(ContactChoice, AMeshTooFarFromItsOriginForItsDigitsIsTold) {
   const ContactChoice far = choice_for(scene, surfaces_of(written_far_off(sphere, 400)));
   EXPECT_THAT(far.limits[0].said, HasSubstr("force_tolerance 0.03 cannot be kept, nor anything like it"));
   EXPECT_THAT(far.limits[0].said, HasSubstr("so far from its file's origin that its vertices are rounded"));
-  EXPECT_THAT(far.limits[0].said, HasSubstr("the same mesh nearer to its origin would"));
+  EXPECT_THAT(far.limits[0].said, HasSubstr("move it nearer to its origin, and ask again"));
   // A box's sides are believed there, and stand 0.08 mm off.
   const TriangleSoup box = box_soup({0.1, 0.1, 0.1});
   const ContactChoice far_box = choice_for(scene, surfaces_of(written_far_off(box, 1300)));
   EXPECT_THAT(far_box.limits[0].said, HasSubstr("force_tolerance 0.03 cannot be kept, 0.1 can"));
-  EXPECT_THAT(far_box.limits[0].said, HasSubstr("the same mesh nearer to its origin would"));
+  EXPECT_THAT(far_box.limits[0].said, HasSubstr("move it nearer to its origin, and ask again"));
   EXPECT_THAT(choice_for(scene, surfaces_of(box)).limits[0].said, IsEmpty());
+}
+
+TEST(ContactChoice, AStiffPartAtItsOriginHasDigitsEnough) {
+  std::vector<Surface> stiff = surfaces_of(written_far_off(box_soup({4, 4, 1}), 0));
+  stiff[0].properties.stiffness_n_per_m = 3e5;
+  Scene scene;
+  scene.contact.automatic_normals = true;
+  EXPECT_THAT(choice_for(scene, stiff).limits[0].said, Not(HasSubstr("origin")));
 }
 
 }  // namespace

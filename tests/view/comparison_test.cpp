@@ -419,6 +419,17 @@ TEST(Friction, OnAFlatPartRubbedStraightIsTheWorldsComponent) {
   EXPECT_EQ(series.friction_n[7], rows[7].friction_W_n.x());
 }
 
+TEST(Friction, OfAFingerThatRestsIsTheWorldsComponent) {
+  std::vector<TickRecord> rows(301);
+  for (TickRecord& row : rows) {
+    row.phase = Phase::stick;
+    row.contact_W = Vec3(0.0031, 0.0017, 0.005);  // whose mean is rounded
+    row.p_WQ = row.contact_W - Vec3(0, 0, 1e-3);
+    row.normal_W = Vec3::UnitZ();
+  }
+  EXPECT_EQ(touch_series(rows, main_direction(rows)).friction_name, "friction along x");
+}
+
 TEST(LogAxis, KeepsMoreDecadesOfAPower) {
   ChartPanel panel{"", "f [Hz]", "power density [N\xC2\xB2/Hz]", false, true, {{"", {}, {1, 2}, {1, 1e-12}}}};
   EXPECT_LT(page_layout({"", "", {}, 1, {panel}}).panels[0].y.min, 1e-12) << "no curve falls below the axis";
