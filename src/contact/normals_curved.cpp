@@ -38,11 +38,10 @@ SurfacePoint on_patch(const TriangleTree& tree, const ClosestTriangle& facets, c
 }
 
 /// They are what other normals are held against. How far they are off the surface itself is told by how far a
-/// patch's own normal is off them: so many times that, at the most, where the surface turns over from convex
-/// to concave (study contact: bend; with arcs of other radii and facets of other widths beside each other
-/// too).
+/// patch's own normal is off them: where the surface turns over from convex to concave by so many times that,
+/// to a seventh (study contact: bend).
 double curved_off_rad(const SurfacePlace& place) noexcept {
-  constexpr double off_per_patch = 0.9;
+  constexpr double off_per_patch = 0.65;
   return off_per_patch * place.patch_rad;
 }
 

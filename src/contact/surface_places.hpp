@@ -29,10 +29,10 @@ struct SurfacePlace {
   bool operator==(const SurfacePlace&) const = default;
 };
 
-/// How far normals that are held against curved ones are off the surface together with these, where it turns
-/// over from convex to concave: at the most what study contact finds there (bend).
+/// How far normals that are held against curved ones are off the surface with these, where it turns over from
+/// convex to concave: to a tenth of what study contact finds there (bend).
 inline double off_with_curved_rad(const SurfacePlace& place) noexcept {
-  constexpr double off_per_patch = 1.0;
+  constexpr double off_per_patch = 0.8;
   return off_per_patch * place.patch_rad;
 }
 

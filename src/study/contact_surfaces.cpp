@@ -201,50 +201,48 @@ ExactSurface block() {
   return surface;
 }
 
-/// A hill and beside it a hollow of these radii, which meet in the origin, where the normal leans by this.
-constexpr double bend_hill_m = 0.02, bend_hollow_m = 0.026, bend_rad = std::numbers::pi / 4,
-                 bend_end_rad = -0.3;
+/// A hill and a hollow of this radius beside it, which meet in the origin, where the normal leans by this.
+constexpr double bend_m = 0.02, bend_rad = std::numbers::pi / 4, bend_end_rad = -0.3;
 
 Vec3 bend_normal(double lean_rad) {
   return {std::sin(lean_rad), 0, std::cos(lean_rad)};
 }
 
-/// @param turned_rad  of the profile, from the origin: < 0 on the hill
-Vec3 bend_point(double turned_rad) {
-  const double radius_m = turned_rad < 0 ? bend_hill_m : -bend_hollow_m;
-  return radius_m * (bend_normal(bend_rad - std::abs(turned_rad)) - bend_normal(bend_rad));
+/// @param along_m  of the profile from the origin: < 0 on the hill
+Vec3 bend_point(double along_m) {
+  const double side = along_m < 0 ? 1 : -1;
+  return side * bend_m * (bend_normal(bend_rad - std::abs(along_m) / bend_m) - bend_normal(bend_rad));
 }
 
 /// Each of them in `steps` facets from end to end.
 TriangleSoup bend_mesh(int steps) {
   std::vector<Vec2> profile;
   for (int i = -steps; i <= steps; ++i) {
-    const Vec3 at = bend_point((bend_rad - bend_end_rad) * i / steps);
+    const Vec3 at = bend_point(bend_m * (bend_rad - bend_end_rad) * i / steps);
     profile.emplace_back(at.x(), at.z());
   }
-  return bar_mesh(profile, 0.03, -0.08);
+  return bar_mesh(profile, 0.03, -0.07);
 }
 
 ExactFoot bend_foot(const Vec3& p) {
   const bool is_hill = p.x() * std::cos(bend_rad) < p.z() * std::sin(bend_rad);
-  const double side = is_hill ? 1 : -1, radius_m = is_hill ? bend_hill_m : bend_hollow_m;
-  const Vec3 out = Vec3(p.x(), 0, p.z()) + side * radius_m * bend_normal(bend_rad);
-  return {side * (out.norm() - radius_m), side * out.normalized()};
+  const double side = is_hill ? 1 : -1;
+  const Vec3 out = Vec3(p.x(), 0, p.z()) + side * bend_m * bend_normal(bend_rad);
+  return {side * (out.norm() - bend_m), side * out.normalized()};
 }
 
 ExactSurface bend() {
-  ExactSurface surface{
-      "bend", "a hill of 20 mm and a hollow of 26 mm, nothing flat between", {8, 10, 12, 24, 32}, {}, {}, {},
-      {}};
+  ExactSurface surface{"bend", "a hill and a hollow of 20 mm, nothing flat between", {8, 12, 24}, {}, {}, {},
+                       {}};
   surface.mesh = bend_mesh;
-  surface.facet_m = [](int steps) { return bend_hill_m * (bend_rad - bend_end_rad) / steps; };
+  surface.facet_m = [](int steps) { return bend_m * (bend_rad - bend_end_rad) / steps; };
   surface.foot = bend_foot;
   surface.way = [](double along) {
-    const Vec3 at = bend_point(0.6 * std::sin(1.3 + 17.3 * along));
+    const Vec3 at = bend_point(0.6 * bend_m * std::sin(1.3 + 17.3 * along));
     return Vec3(at.x(), 0.013 * std::sin(4.1 * along), at.z());
   };
-  surface.deepest_m = 0.75 * bend_hill_m;
-  surface.highest_m = (bend_hollow_m + 0.007) / 2;  // the hollow's other side is not met there
+  surface.deepest_m = 0.75 * bend_m;
+  surface.highest_m = (bend_m + 0.007) / 2;  // the hollow's other side is not met there
   surface.is_whole = false;
   return surface;
 }

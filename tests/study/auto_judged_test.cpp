@@ -47,9 +47,9 @@ TEST(AutoJudged, KeepsItsWordOnSurfacesThatAreKnownExactly) {
   take_exact_cases([&](const JudgedCase& one) { all.take(one); }, judges_all ? "" : "knob");
   if (!judges_all) return;
   const JudgedCount count = all.count();
-  EXPECT_EQ(count.cases, 56);
+  EXPECT_EQ(count.cases, 52);
   EXPECT_GE(count.kept, 30) << "it does not talk itself out of everything";
-  EXPECT_LE(46 * count.needless, 5 * count.cases) << "no more than one in nine";
+  EXPECT_LE(count.needless, 5);
   EXPECT_GE(10 * count.near_cheapest, 9 * count.kept)
       << "nine of ten cost 1.2 times the cheapest at the most";
 }
