@@ -46,7 +46,7 @@ struct HelpLines {
   double per_column;           ///< so many lines
 };
 
-HelpLines help_lines(const OverlayFacts& facts, const Box& room, double height, double em) {
+HelpLines lines_in(const OverlayFacts& facts, const Box& room, double height, double em) {
   constexpr double line_em = 1.6, least_line_em = 1.1, least_size = 0.7;
   const auto rows = static_cast<double>(facts.help.size());
   const double line = line_em * em, columns = std::ceil(rows / std::max(1.0, std::floor(height / line)));
@@ -103,7 +103,7 @@ void paint_help_entry(Drawing& drawing, const Vec2& at, const std::string& entry
 
 void paint_help(Drawing& drawing, const OverlayFacts& facts, const Box& room, double em) {
   const double head = 3.2 * em, foot = 0.6 * em;
-  const HelpLines lie = help_lines(facts, room, room.height - head - foot - 0.4 * em, em);
+  const HelpLines lie = lines_in(facts, room, room.height - head - foot - 0.4 * em, em);
   const auto& [size, line, columns, per_column] = lie;
   const double height = line * per_column + head + foot;
   const double width = std::min(help_column_em * em * columns, room.width - em);
