@@ -40,9 +40,8 @@ struct PartMeasures {
   double median_round_m = inf;       ///< and half of it
 
   // Of a part that stands far off its file's origin (is_far_off); near it both are 0.
-  double rounding_m = 0;  ///< of the file's float32 coordinates, at the most: of a vertex's place
-  double untold_share =
-      0;  ///< of a region's area, where that is the most: facets whose normal is not believed
+  double rounding_m = 0;    ///< of the file's float32 coordinates, at the most: of a vertex's place
+  double untold_share = 0;  ///< of a region's area, at the most: facets whose normals are not believed
 
   static constexpr double inf = std::numeric_limits<double>::infinity();
 };

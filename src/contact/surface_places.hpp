@@ -30,7 +30,7 @@ struct SurfacePlace {
 };
 
 /// How far normals that are held against curved ones are off the surface with these, where it turns over from
-/// convex to concave: to a tenth of what study contact finds there (bend).
+/// convex to concave as NormalsEntry::off_rad of those has it: to a tenth (study contact: bend).
 inline double off_with_curved_rad(const SurfacePlace& place) noexcept {
   constexpr double off_per_patch = 0.8;
   return off_per_patch * place.patch_rad;

@@ -31,7 +31,8 @@ class Turn {
 ///
 /// Of walls that all but face each other little is left of the sum, and shading leaves any other little: no
 /// scale above two is taken from that, the less of its direction the less there is, and what is then missing
-/// is added by shares. So no hold pushes by more than some times its own share.
+/// is added by shares. So, in a contact that is no deeper than its shares together, no hold pushes by more
+/// than four times its own.
 class SharedPush {
  public:
   /// @param sum_m  of the holds' shares along their shaded normals
@@ -43,18 +44,16 @@ class SharedPush {
       scale_ = depth_m / length_m;
       return;
     }
-    const double told = largest * length_m / depth_m;  // 1 where the scale is the largest, 0 of no sum
-    const Vec3 from = direction_of(sum_m, contact.normal_W);
-    turn_ = Turn(from, direction_of((1 - told) * from + told * contact.normal_W, from));
+    told_ = largest * length_m / depth_m;
     scale_ = largest;
     double shares_m = 0;
     for (int i = 0; i < contact.hold_count; ++i)
       shares_m += contact.holds[static_cast<std::size_t>(i)].share_m;
-    missing_per_share_ = (depth_m * contact.normal_W - scale_ * turn_.of(sum_m)) / shares_m;
+    missing_per_share_ = (depth_m * contact.normal_W - scale_ * turned(sum_m)) / shares_m;
   }
 
   Vec3 of(const ContactHold& hold) const noexcept {
-    return scale_ * hold.share_m * turn_.of(hold.normal_W) + hold.share_m * missing_per_share_;
+    return scale_ * hold.share_m * turned(hold.normal_W) + hold.share_m * missing_per_share_;
   }
 
  private:
@@ -62,9 +61,13 @@ class SharedPush {
     const double length = v.norm();
     return length > 0 ? Vec3(v / length) : otherwise;
   }
+  Vec3 turned(const Vec3& v) const noexcept {
+    return told_ < 1 ? Vec3((1 - told_) * v + told_ * turn_.of(v)) : turn_.of(v);
+  }
 
   Turn turn_;
   double scale_ = 1;
+  double told_ = 1;  // how much of the sum's direction is taken: 1 up to the largest scale, 0 of no sum
   Vec3 missing_per_share_ = Vec3::Zero();
 };
 
@@ -124,6 +127,7 @@ void find_walls(const Contact& contact, Walls& walls) noexcept {
   const auto holds = static_cast<std::size_t>(contact.hold_count);
   for (std::size_t i = 0; i < holds; ++i) sum_m += contact.holds[i].share_m * contact.holds[i].normal_W;
   const double sum_length_m = sum_m.norm();
+  if (!(greatest.share_m > 0)) return be_one_wall(contact, walls);
   if (are_one_wall(contact)) {
     // Turned or not, a hold pushes as far; and turned as they are, they add up to the contact's own push.
     double share_m = 0;

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "base/random_stream.hpp"
 #include "study/air_offset.hpp"
 #include "study/measurement.hpp"
 #include "study/measurement_words.hpp"
@@ -130,6 +131,13 @@ TEST(MeasurementDoubts, ASteadyPullInTheAirIsAnOffsetAndNoForceOnThePlate) {
               }),
               HasSubstr("not zeroed"))
       << "friction tells it where no height was measured";
+  EXPECT_THAT(asked([&](RecordedTrial& trial) {
+                shifted(trial);
+                RandomStream random(3);
+                for (double& height_m : trial.position_W.row(2)) height_m = 20e-6 * random.normal();
+              }),
+              HasSubstr("not zeroed"))
+      << "nor is its noise a height";
   RecordedMeasurement recorded = test::known_measurement(rubs, {}, test::bad_sensors(), 1), zeroed = recorded;
   for (RecordedTrial& trial : zeroed.trials) shifted(trial);
   EXPECT_THAT(take_off_hiding_offsets(recorded), testing::IsEmpty()) << "of a usual sensor";

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <utility>
 
 #include "touch/wall.hpp"
 
@@ -46,6 +47,38 @@ TEST(Walls, PushSoToWhereTheirShadedNormalsAddUpToTheOppositeToo) {
   Walls walls;
   find_walls(slot, walls);
   EXPECT_LT((push_of(walls) - slot.depth_m * slot.normal_W).norm(), 1e-15);
+}
+
+// A twentieth of a millimetre deep between walls of half a millimetre each: what little shading leaves of
+// their sum goes through none to the other side. They were scaled by it, without a bound.
+TEST(Walls, ThatFaceEachOtherPushByABoundedShareThatJumpsNowhere) {
+  constexpr int steps = 40000;
+  constexpr double share_m = 0.5e-3;
+  Walls before;
+  for (int k = 0; k <= steps; ++k) {
+    const double rise = 0.1 * (2.0 * k / steps - 1);
+    Contact contact = between_two({1, 0, rise}, {-1, 0, rise}, Vec3(0.02, 0.01, 1).normalized());
+    contact.depth_m = 0.05e-3;
+    Walls walls;
+    find_walls(contact, walls);
+    ASSERT_EQ(walls.count, 2) << rise;
+    ASSERT_LT((push_of(walls) - contact.depth_m * contact.normal_W).norm(), 1e-15) << rise;
+    if (walls.walls[0].triangle != 1) std::swap(walls.walls[0], walls.walls[1]);
+    for (std::size_t i = 0; i < 2; ++i) {
+      ASSERT_LE(walls.walls[i].share_m, 4 * share_m) << rise;
+      if (k == 0) continue;
+      ASSERT_LT((walls.walls[i].push_m - before.walls[i].push_m).norm(), 0.02 * share_m) << rise;
+    }
+    before = walls;
+  }
+}
+
+TEST(Walls, OfHoldsThatAllPushByNothingAreOne) {
+  Contact contact = between_two({1, 0, 0.5}, {-1, 0, 0.5}, Vec3::UnitZ());
+  contact.holds[0].share_m = contact.holds[1].share_m = 0;
+  Walls walls;
+  find_walls(contact, walls);
+  EXPECT_EQ(walls.count, 1);
 }
 
 }  // namespace
