@@ -50,14 +50,6 @@ std::vector<TickRecord> rows_at(const std::vector<TickRecord>& rows, const std::
   return some;
 }
 
-/// Values of some of the rows, at their places among all; nan at the others.
-std::vector<double> among_all(const std::vector<double>& values, const std::vector<std::size_t>& places,
-                              std::size_t count) {
-  std::vector<double> out(count, TickRecord::nan);
-  for (std::size_t i = 0; i < places.size(); ++i) out[places[i]] = values[i];
-  return out;
-}
-
 /// The way of all ticks where that of some of them is given: between two of these it goes on as their own way
 /// does, or their time where that stands still.
 /// @pre at least one place
@@ -83,8 +75,7 @@ void tell_by_some(ComparedRun& run, const std::vector<TickRecord>& rows,
                   const std::vector<std::size_t>& places, Over over) {
   const std::vector<TickRecord> some = rows_at(rows, places);
   for (ComparedColumn& column : run.columns) {
-    if (column.name == "friction")
-      column.thinned = among_all(friction_along_sliding(some), places, rows.size());
+    if (column.name == "friction") column.thinned = {places, friction_along_sliding(some)};
   }
   if (over == Over::time) return;
   run.x = way_by_some(run.x, run.t_s, abscissa(some, over), places);

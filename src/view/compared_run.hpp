@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -9,14 +10,20 @@
 
 namespace fingerpad {
 
+/// A quantity as a trace of some of the ticks tells it.
+struct ThinnedColumn {
+  std::vector<std::size_t> ticks;  ///< indices among all
+  std::vector<double> values;      ///< one each; nan where there is none
+};
+
 /// One quantity of a run against what it is compared over.
 struct ComparedColumn {
   std::string name;            ///< as the trace calls it, or "friction" along the sliding direction
   std::string unit;            ///< "N", "m"
   std::vector<double> values;  ///< one a tick; nan where there is none
-  /// The same as a trace of fewer ticks tells it, nan at those that it left out; empty where that is the
-  /// same: friction along the sliding direction goes by the way from one row to the next.
-  std::vector<double> thinned = {};
+  /// Empty where it is the same: friction along the sliding direction goes by the way from one row to the
+  /// next.
+  ThinnedColumn thinned = {};
 };
 
 /// A trace, or a table of measurements, as far as it can be laid over another.

@@ -69,26 +69,41 @@ std::string no_column_words(const ComparedRun& run, const std::string& name) {
          (hint.ends_with('?') ? ")" : "");
 }
 
+/// A quantity of a run at the ticks that tell it.
+struct ComparedSeries {
+  std::vector<double> x, t_s, values;  ///< t_s empty where the run has none
+};
+
+/// A column as it is laid over another run: of one that left out ticks, as such ticks tell it.
+ComparedSeries compared_series(const ComparedRun& run, const std::string& name, const ComparedRun& other) {
+  const ComparedColumn& column = *column_of(run, name);
+  if (other.x.size() >= run.x.size() || column.thinned.ticks.empty()) return {run.x, run.t_s, column.values};
+  ComparedSeries series{{}, {}, column.thinned.values};
+  for (const std::size_t tick : column.thinned.ticks) {
+    series.x.push_back(run.x[tick]);
+    series.t_s.push_back(run.t_s[tick]);
+  }
+  return series;
+}
+
 /// The value at x, linearly between the ticks beside it; of several ticks at x, as of a finger that rests,
-/// that of the nearest time.
-/// @pre x lies within the run
-double value_at(const ComparedRun& run, const std::vector<double>& values, double x, double t_s) {
-  const auto [from, to] = std::equal_range(run.x.begin(), run.x.end(), x);
-  const auto first = static_cast<std::size_t>(from - run.x.begin());
-  const auto beyond = static_cast<std::size_t>(to - run.x.begin());
+/// that of the nearest time; nan before the first and after the last.
+double value_at(const ComparedSeries& series, double x, double t_s) {
+  const auto [from, to] = std::equal_range(series.x.begin(), series.x.end(), x);
+  const auto first = static_cast<std::size_t>(from - series.x.begin());
+  const auto beyond = static_cast<std::size_t>(to - series.x.begin());
   if (beyond > first) {
-    if (beyond == first + 1 || run.t_s.empty()) return values[first];
-    const auto begin = run.t_s.begin();
+    if (beyond == first + 1 || series.t_s.empty()) return series.values[first];
+    const auto begin = series.t_s.begin();
     const auto after = std::lower_bound(begin + static_cast<std::ptrdiff_t>(first),
                                         begin + static_cast<std::ptrdiff_t>(beyond - 1), t_s);
     const auto i = static_cast<std::size_t>(after - begin);
-    const bool before_is_nearer = i > first && t_s - run.t_s[i - 1] < run.t_s[i] - t_s;
-    return values[before_is_nearer ? i - 1 : i];
+    const bool before_is_nearer = i > first && t_s - series.t_s[i - 1] < series.t_s[i] - t_s;
+    return series.values[before_is_nearer ? i - 1 : i];
   }
-  if (first == run.x.size()) return values.back();
-  if (first == 0) return values.front();
-  const double share = (x - run.x[first - 1]) / (run.x[first] - run.x[first - 1]);
-  return values[first - 1] + share * (values[first] - values[first - 1]);
+  if (first == 0 || first == series.x.size()) return TickRecord::nan;
+  const double share = (x - series.x[first - 1]) / (series.x[first] - series.x[first - 1]);
+  return series.values[first - 1] + share * (series.values[first] - series.values[first - 1]);
 }
 
 /// Where two runs are compared.
@@ -122,23 +137,16 @@ CommonTicks common_ticks(const ComparedRun& first, const ComparedRun& other, Ove
   return ticks;
 }
 
-/// What of a column is laid over another run: of one that left out ticks, what such ticks tell.
-const std::vector<double>& compared_values(const ComparedRun& run, const std::string& name,
-                                           const ComparedRun& other) {
-  const ComparedColumn& column = *column_of(run, name);
-  return other.x.size() < run.x.size() && !column.thinned.empty() ? column.thinned : column.values;
-}
-
 Residual residual_of(const std::string& name, const ComparedRun& first, const ComparedRun& other,
                      std::size_t run, const CommonTicks& ticks) {
-  const std::vector<double>&a = compared_values(first, name, other), &b = compared_values(other, name, first);
+  const ComparedSeries a = compared_series(first, name, other), b = compared_series(other, name, first);
   Residual residual{run, name, column_of(first, name)->unit, {}, {}, 0, 0};
   double squares = 0;
   for (std::size_t i = 0; i < ticks.grid->x.size(); ++i) {
     const double x = ticks.grid->x[i];
     if (x < ticks.from || x > ticks.to) continue;
     const double t_s = ticks.grid->t_s.empty() ? x : ticks.grid->t_s[i];
-    const double left = value_at(other, b, x, t_s) - value_at(first, a, x, t_s);
+    const double left = value_at(b, x, t_s) - value_at(a, x, t_s);
     residual.x.push_back(x);
     residual.values.push_back(left);
     if (!std::isfinite(left)) continue;

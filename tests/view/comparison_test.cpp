@@ -181,20 +181,24 @@ TEST(Comparison, OfOneThinnedRunNamesItNot) {
   EXPECT_THAT(compare_runs({run}, {"fn_n"}, Over::time).notes, testing::Contains("1 tick in 10 is here"));
 }
 
+/// Writes one row in so many, and the last.
+void write_some(const std::string& path, const ViewInput& input, std::uint64_t every) {
+  const auto writer = TraceWriter::create(path, TraceFormat::csv, {}, *input.world);
+  const auto last = static_cast<long>(input.rows.size()) - 1;
+  for (long k = 0; k <= last; ++k) {
+    if (is_kept(k, last, every)) writer->append({&input.rows[static_cast<std::size_t>(k)], 1});
+  }
+  writer->finish();
+}
+
 // Friction along the sliding direction goes by the way from one row to the next, which is another where rows
 // are left out.
 TEST(Comparison, OfARunWithItselfThinnedLeavesNothing) {
   const auto folder = test::scratch_dir();
   const ViewInput input = test::torus_rub(1.004);
   const std::string whole = (folder / "whole.csv").string(), thin = (folder / "thin.csv").string();
-  for (const std::uint64_t every : {1, 10}) {
-    const auto writer = TraceWriter::create(every == 1 ? whole : thin, TraceFormat::csv, {}, *input.world);
-    const auto last = static_cast<long>(input.rows.size()) - 1;
-    for (long k = 0; k <= last; ++k) {
-      if (is_kept(k, last, every)) writer->append({&input.rows[static_cast<std::size_t>(k)], 1});
-    }
-    writer->finish();
-  }
+  write_some(whole, input, 1);
+  write_some(thin, input, 10);
   constexpr double all = std::numeric_limits<double>::infinity();
   const std::string by_fewer =
       "way: from each tick to the next of the run that has fewest; what lies between is longer";
@@ -212,6 +216,24 @@ TEST(Comparison, OfARunWithItselfThinnedLeavesNothing) {
       EXPECT_EQ(std::count(comparison.notes.begin(), comparison.notes.end(), by_fewer),
                 over == Over::time ? 0 : 1);
     }
+}
+
+// At another rate the finger passes other places of its way, so that none stands at a tick of both.
+TEST(Comparison, OverTheWayOfAnotherRateIsAtAllOfItsTicks) {
+  const auto folder = test::scratch_dir();
+  ViewInput input = test::torus_rub(1.004);
+  const std::string whole = (folder / "whole.csv").string(), thin = (folder / "thin.csv").string();
+  write_some(whole, input, 1);
+  for (TickRecord& row : input.rows) row.contact_W *= 1.001;
+  write_some(thin, input, 10);
+  constexpr double all = std::numeric_limits<double>::infinity();
+  const Comparison comparison = compare_runs(read_compared_runs({whole, thin}, Over::travel, 0.2, all),
+                                             {"friction", "x_m"}, Over::travel);
+  ASSERT_EQ(comparison.residuals.size(), 2u);
+  EXPECT_EQ(comparison.residuals[0].ticks, comparison.residuals[1].ticks)
+      << "friction is known wherever x is";
+  EXPECT_GE(comparison.residuals[0].ticks, 90u);
+  EXPECT_LT(comparison.residuals[0].rms, 0.01);
 }
 
 // A finger that rests while it is pressed is at one place of its way for many ticks.
