@@ -14,6 +14,7 @@
 #include "app/unit_option.hpp"
 #include "base/count_words.hpp"
 #include "base/error.hpp"
+#include "base/input_file.hpp"
 #include "base/number_text.hpp"
 #include "base/printable_text.hpp"
 #include "contact/overlap.hpp"
@@ -26,6 +27,7 @@
 #include "scene/scene_file.hpp"
 #include "touch/unit_hints.hpp"
 #include "touch/world.hpp"
+#include "trace/motion_source.hpp"
 
 namespace fingerpad {
 namespace {
@@ -160,9 +162,16 @@ void tell_overlaps(const Scene& scene, const std::string& path, std::vector<Plac
   }
 }
 
+/// Reads what the finger follows, if anything: refuses, or tells, what replay would.
+void look_at_motion(const Scene& scene) {
+  if (!scene.motion.given() || stream_descriptor(scene.motion.file_path)) return;  // a stream is read once
+  for (const std::string& warning : load_motion(scene).warnings) print_err("fingerpad: {}\n", warning);
+}
+
 /// Of what a scene says beside its parts: refuses, or tells, what replay would before its first tick.
 void look_at_finger_and_motion(const Scene& scene, const World& measured) {
   refuse_missing_inputs(scene);
+  look_at_motion(scene);
   refuse_huge_finger(measured, scene);
   if (const std::string hint = finger_hint(measured, scene); !hint.empty())
     print_err("fingerpad: {}\n", hint);

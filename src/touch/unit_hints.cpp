@@ -32,12 +32,13 @@ std::string radius_place(const Scene& scene) {
   return scene.finger.radius_place.empty() ? "finger.radius_m" : scene.finger.radius_place;
 }
 
+/// @param longest_m  0 where no part is touched
 std::string radius_words(double radius_m, double longest_m) {
   constexpr double metres_per_mm = 1e-3;
-  return fmt::format(
-      "a finger of radius_m = {}, where the longest part is {} m long; it is in metres: if millimetres are "
-      "meant, radius_m = {}",
-      rounded_text(radius_m, 3), rounded_text(longest_m, 3), rounded_text(metres_per_mm * radius_m, 3));
+  const std::string beside =
+      longest_m > 0 ? fmt::format(", where the longest part is {} m long", rounded_text(longest_m, 3)) : "";
+  return fmt::format("a finger of radius_m = {}{}; it is in metres: if millimetres are meant, radius_m = {}",
+                     rounded_text(radius_m, 3), beside, rounded_text(metres_per_mm * radius_m, 3));
 }
 
 }  // namespace
@@ -46,7 +47,7 @@ std::string radius_words(double radius_m, double longest_m) {
 std::string finger_hint(const World& world, const Scene& scene) {
   constexpr double too_large_m = 0.1;
   const double radius_m = scene.finger.radius_m, longest_m = longest_part_m(world);
-  if (!(longest_m > 0) || !(radius_m > too_large_m && radius_m > longest_m)) return {};
+  if (!(radius_m > too_large_m && radius_m > longest_m)) return {};
   return fmt::format("{}: {}", radius_place(scene), radius_words(radius_m, longest_m));
 }
 

@@ -216,6 +216,23 @@ TEST(Refusals, OfAFingerTooLargeAreTheSameForCheckAndReplay) {
   EXPECT_THAT(usual.err, Not(HasSubstr("a finger of")));
 }
 
+TEST(Refusals, OfAMotionAreTheSameForCheckAndReplay) {
+  const fs::path folder = folder_with_inputs();
+  fs::create_directory(folder / "folder.csv");
+  std::ofstream(folder / "mesh.csv") << "solid box\nendsolid box\n";
+  std::ofstream(folder / "rub.csv") << "t_s,x_m,y_m,z_m\n0,0,0,0\n0.001,0,0,0\n0.002,0.5,0,0\n0.002,0,0,0\n";
+  for (const char* motion : {"file = \"folder.csv\"", "file = \"mesh.csv\"", "file = \"box.stl\"",
+                             "file = \"rub.csv\"\ncolumns = { x = \"across\" }"}) {
+    std::ofstream(folder / "s.toml") << "[[part]]\nmesh = \"box.stl\"\nunit = \"mm\"\n[motion]\n"
+                                     << motion << "\n";
+    const ShellResult check = test::fingerpad("check s.toml", folder);
+    EXPECT_EQ(check.exit_code, 3) << motion;
+    const ShellResult replay = test::fingerpad("replay s.toml --out o", folder);
+    EXPECT_EQ(replay.exit_code, 3) << motion;
+    EXPECT_EQ(check.err, replay.err) << motion;
+  }
+}
+
 TEST(Refusals, OfASubcommandNameTheNearest) {
   const fs::path folder = test::scratch_dir();
   expect_told(test::fingerpad("repaly scene.toml --out o", folder), 2,

@@ -34,6 +34,13 @@ TEST(UnitHints, TellOfAFingerWhoseMillimetresAreReadAsMetres) {
   EXPECT_NE(hint_of(7, 0.12).find("radius_m = 0.007"), std::string::npos) << hint_of(7, 0.12);
 }
 
+TEST(UnitHints, TellOfSuchAFingerOverPlanesAlone) {
+  EXPECT_EQ(
+      finger_hint(World(), scene_of(7)),
+      "pad.toml:9:12: a finger of radius_m = 7; it is in metres: if millimetres are meant, radius_m = 0.007");
+  EXPECT_EQ(finger_hint(World(), scene_of(0.01)), "");
+}
+
 TEST(UnitHints, SayWhereTheRadiusStands) {
   EXPECT_EQ(hint_of(7, 0.12).find("pad.toml:9:12: a finger of radius_m = 7, "), 0u) << hint_of(7, 0.12);
 }
