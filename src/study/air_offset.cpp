@@ -8,6 +8,7 @@
 #include "base/count_words.hpp"
 #include "base/number_text.hpp"
 #include "motion/pressed_force.hpp"
+#include "study/press_and_air.hpp"
 #include "study/sample_noise.hpp"
 
 namespace fingerpad {
@@ -15,7 +16,6 @@ namespace {
 
 using Samples = std::vector<Eigen::Index>;
 
-constexpr double surely_n = 0.15;     // as sign_doubts has it
 constexpr double level_share = 0.25;  // of the press, by which what is alike may differ
 
 Samples recorded_samples(const RecordedTrial& trial) {
@@ -23,13 +23,6 @@ Samples recorded_samples(const RecordedTrial& trial) {
   for (Eigen::Index i = 0; i < trial.samples(); ++i)
     if (trial.origin[static_cast<std::size_t>(i)] == SampleOrigin::recorded) samples.push_back(i);
   return samples;
-}
-
-std::vector<double> some_of(const Eigen::RowVectorXd& values, const Samples& samples) {
-  std::vector<double> some;
-  some.reserve(samples.size());
-  for (const Eigen::Index i : samples) some.push_back(values[i]);
-  return some;
 }
 
 double spread_of(const std::vector<double>& values) {
@@ -41,7 +34,7 @@ double friction_spread_n(const RecordedTrial& trial, const Samples& samples) {
   double spread_n = 0;
   for (int axis = 0; axis < 3; ++axis) {
     const Vec3 along_W = Vec3::Unit(axis) - trial.normal_W[axis] * trial.normal_W;
-    spread_n = std::max(spread_n, spread_of(some_of(along_W.transpose() * trial.force_W, samples)));
+    spread_n = std::max(spread_n, spread_of(values_at(along_W.transpose() * trial.force_W, samples)));
   }
   return spread_n;
 }
@@ -52,7 +45,7 @@ double friction_spread_n(const RecordedTrial& trial, const Samples& samples) {
 bool is_off_the_plate(const RecordedTrial& trial, const Samples& ends, const Samples& pressed) {
   constexpr double surely_friction = 5, beyond_noise = 5;
   const Eigen::RowVectorXd height_m = trial.normal_W.transpose() * trial.seen_W();
-  const double above_m = median_of(some_of(height_m, ends)) - median_of(some_of(height_m, pressed));
+  const double above_m = median_of(values_at(height_m, ends)) - median_of(values_at(height_m, pressed));
   const double noise_m = sample_noise({height_m.data(), static_cast<std::size_t>(height_m.size())});
   if (std::abs(above_m) > beyond_noise * noise_m) return above_m > 0;
   return trial.lacks.empty() &&
@@ -65,15 +58,15 @@ std::optional<Vec3> hiding_offset_W(const RecordedTrial& trial) {
   constexpr double window_s = 0.05;
   const Samples all = recorded_samples(trial);
   const auto window = static_cast<std::ptrdiff_t>(std::max(4L, std::lround(window_s * trial.rate_hz)));
-  if (std::ssize(all) < 4 * window || !(pressing_n(trial) < -surely_n)) return std::nullopt;
+  if (std::ssize(all) < 4 * window || !(pressing_n(trial) < -surely_presses_n)) return std::nullopt;
   const Samples before(all.begin(), all.begin() + window), after(all.end() - window, all.end());
   const Eigen::RowVectorXd along_n = along_normal_n(trial);
-  const std::vector<double> before_n = some_of(along_n, before), after_n = some_of(along_n, after);
+  const std::vector<double> before_n = values_at(along_n, before), after_n = values_at(along_n, after);
   const double air_n = (median_of(before_n) + median_of(after_n)) / 2;
-  std::vector<double> above_n = some_of(along_n, all);
+  std::vector<double> above_n = values_at(along_n, all);
   for (double& force_n : above_n) force_n -= air_n;
   const double press_n = pressed_median_n(above_n), most_n = level_share * press_n;
-  if (!(air_n < -surely_n) || !(press_n > surely_n)) return std::nullopt;
+  if (!(air_n < -surely_presses_n) || !(press_n > surely_presses_n)) return std::nullopt;
   const bool is_level = spread_of(before_n) < most_n && spread_of(after_n) < most_n &&
                         std::abs(median_of(before_n) - median_of(after_n)) < most_n;
   if (!is_level) return std::nullopt;
@@ -83,7 +76,7 @@ std::optional<Vec3> hiding_offset_W(const RecordedTrial& trial) {
     if (above_n[k] > press_n / 2) pressed.push_back(all[k]);
   if (!is_off_the_plate(trial, ends, pressed)) return std::nullopt;
   Vec3 offset_W;
-  for (int axis = 0; axis < 3; ++axis) offset_W[axis] = median_of(some_of(trial.force_W.row(axis), ends));
+  for (int axis = 0; axis < 3; ++axis) offset_W[axis] = median_of(values_at(trial.force_W.row(axis), ends));
   return offset_W;
 }
 

@@ -10,6 +10,9 @@ namespace fingerpad {
 /// The trials of one file.
 using FileTrials = std::span<const RecordedTrial>;
 
+/// Less may be a sensor's offset, where nothing presses.
+inline constexpr double surely_presses_n = 0.15;
+
 /// The normal force of the samples that press, on the median; below 0 where a plate would pull.
 double pressing_n(const RecordedTrial& trial);
 /// Forces along the plate's normal.

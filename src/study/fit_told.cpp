@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
+#include "base/number_text.hpp"
 #include "study/measurement_doubts.hpp"
 #include "study/measurement_words.hpp"
 #include "study/pad_axes.hpp"
@@ -30,8 +33,25 @@ std::vector<std::string> left_out_warnings(const Measurement& measurement) {
   return warnings;
 }
 
+namespace {
+
+/// Of a coefficient that no fingertip has, from oiled glass to moist rubber; else empty.
+std::string odd_friction_words(const PadValues& values) {
+  constexpr double least = 0.05, most = 4;
+  const PadValue& mu = value_of(values, PadNumber::mu_dynamic);
+  if (!mu.refusal.empty() || (mu.value >= least && mu.value <= most)) return {};
+  return fmt::format(
+      "mu_dynamic comes out as {}, {} than a fingertip's ({} to {}): are the force's columns, its unit and "
+      "its "
+      "zero right?",
+      rounded_text(mu.value, 2), mu.value < least ? "less" : "more", least, most);
+}
+
+}  // namespace
+
 std::vector<std::string> fit_warnings(const ProfileFit& fit) {
   std::vector<std::string> warnings;
+  if (std::string odd = odd_friction_words(fit.values); !odd.empty()) warnings.push_back(std::move(odd));
   if (!fit.residual.misfit.empty()) warnings.push_back("the pad's law does not fit: " + fit.residual.misfit);
   if (std::string missing = missing_axes_words(fit); !missing.empty()) warnings.push_back(std::move(missing));
   return warnings;

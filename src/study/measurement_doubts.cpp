@@ -75,8 +75,9 @@ std::vector<std::string> doubts_of(const RecordedMeasurement& recorded, const Me
       trials_can_be_odd = false;
       return;
     }
-    const std::vector<std::string> heights = height_doubts(own, recorded.trials);
-    told.insert(told.end(), heights.begin(), heights.end());
+    for (const auto& doubts :
+         {height_doubts(own, recorded.trials), swapped_trial_doubts(own, recorded.trials)})
+      told.insert(told.end(), doubts.begin(), doubts.end());
   });
   // By wrong times or the wrong normal force of some all trials are odd, or none.
   if (!trials_can_be_odd) return told;

@@ -14,6 +14,13 @@ PressAndAir press_and_air(const Eigen::RowVectorXd& forces_n, double press_n) {
   return samples;
 }
 
+std::vector<double> values_at(const Eigen::RowVectorXd& values, const std::vector<Eigen::Index>& samples) {
+  std::vector<double> some;
+  some.reserve(samples.size());
+  for (const Eigen::Index i : samples) some.push_back(values[i]);
+  return some;
+}
+
 bool last_long(const std::vector<Eigen::Index>& samples, double rate_hz) noexcept {
   constexpr double least_s = 0.02;
   return static_cast<double>(samples.size()) >= std::max(1.0, least_s * rate_hz);

@@ -16,6 +16,9 @@ struct PressAndAir {
 /// @param press_n   what the trial presses with, > 0
 PressAndAir press_and_air(const Eigen::RowVectorXd& forces_n, double press_n);
 
+/// Of a trial's forces, or heights, those at some of its samples.
+std::vector<double> values_at(const Eigen::RowVectorXd& values, const std::vector<Eigen::Index>& samples);
+
 /// Whether samples last long enough to say what a finger does in them: 20 ms.
 bool last_long(const std::vector<Eigen::Index>& samples, double rate_hz) noexcept;
 

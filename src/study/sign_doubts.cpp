@@ -48,10 +48,9 @@ void refuse_mirrored_axis(FileTrials trials, const std::vector<Drive>& drives) {
 }  // namespace
 
 void ask_for_signs(FileTrials trials, const MeasurementFormat& format, double delay_s) {
-  constexpr double surely_n = 0.15;  // a sensor's offset may be below 0 where nothing presses
   const std::string& file = trials.front().file;
   const double press_n = usual(trials, pressing_n);
-  if (press_n < -surely_n) {
+  if (press_n < -surely_presses_n) {
     if (const std::string offset = hiding_offset_words(trials); !offset.empty()) throw refused(file, offset);
     throw refused(
         file, fmt::format(

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "motion/pressed_force.hpp"
+#include "study/named_trials.hpp"
 #include "study/press_and_air.hpp"
 #include "study/sample_noise.hpp"
 
@@ -29,13 +30,6 @@ double mean_size(const std::vector<double>& forces_n) {
   return forces_n.empty() ? 0 : sizes / static_cast<double>(forces_n.size());
 }
 
-std::vector<double> some_of(const Eigen::RowVectorXd& forces_n, const std::vector<Eigen::Index>& samples) {
-  std::vector<double> some;
-  some.reserve(samples.size());
-  for (const Eigen::Index i : samples) some.push_back(forces_n[i]);
-  return some;
-}
-
 /// Whether an axis presses in the place of the normal, along which friction acts then. The air before and
 /// after it tells the sensor's offset; without it nothing is told.
 bool presses_instead(const RecordedTrial& trial, const Vec3& axis_W) {
@@ -46,11 +40,11 @@ bool presses_instead(const RecordedTrial& trial, const Vec3& axis_W) {
       press_and_air(other_n.cwiseAbs(),
                     std::abs(pressed_median_n({other_n.data(), static_cast<std::size_t>(other_n.size())})));
   if (!last_long(samples.air, trial.rate_hz)) return false;
-  const std::vector<double> press_n = some_of(other_n, samples.press);
-  std::vector<double> friction_n = some_of(normal_n, samples.press);
+  const std::vector<double> press_n = values_at(other_n, samples.press);
+  std::vector<double> friction_n = values_at(normal_n, samples.press);
   if (!(one_sign_share(press_n) > press_share)) return false;
   if (!(mean_size(press_n) > least_times * mean_size(friction_n))) return false;
-  const double offset_n = median_of(some_of(normal_n, samples.air));
+  const double offset_n = median_of(values_at(normal_n, samples.air));
   for (double& force_n : friction_n) force_n -= offset_n;
   return one_sign_share(friction_n) < friction_share &&
          mean_size(friction_n) >
@@ -67,6 +61,13 @@ int pressing_axis(const RecordedTrial& trial) {
   return -1;
 }
 
+std::string swapped_words(int axis) {
+  return fmt::format(
+      "along the plate's normal its force changes its sign to and fro, as friction does, and along {} it "
+      "presses",
+      "xyz"[axis]);
+}
+
 }  // namespace
 
 std::string swapped_forces_doubt(FileTrials trials) {
@@ -74,12 +75,24 @@ std::string swapped_forces_doubt(FileTrials trials) {
     const auto count = std::ranges::count(trials, axis, pressing_axis);
     if (2 * count <= std::ssize(trials)) continue;
     return fmt::format(
-        "along the plate's normal its force changes its sign to and fro, as friction does, and along {} it "
-        "presses: two columns of force are swapped, or the plate's normal is another. --columns says which "
-        "is which, --sensor-turned how the sensor stands, nx, ny, nz the normal",
-        "xyz"[axis]);
+        "{}: two columns of force are swapped, or the plate's normal is another. --columns says which is "
+        "which, --sensor-turned how the sensor stands, nx, ny, nz the normal",
+        swapped_words(axis));
   }
   return {};
+}
+
+std::vector<std::string> swapped_trial_doubts(FileTrials own, const std::vector<RecordedTrial>& all) {
+  std::vector<std::string> doubts;
+  for (const RecordedTrial& trial : own) {
+    const int axis = pressing_axis(trial);
+    if (axis < 0) continue;
+    doubts.push_back(
+        fmt::format("{}: {}, and not so in most trials of its file: two of its columns of force are swapped; "
+                    "--leave-out '{}' leaves it out",
+                    trial_name(trial), swapped_words(axis), option_name(trial, all)));
+  }
+  return doubts;
 }
 
 }  // namespace fingerpad

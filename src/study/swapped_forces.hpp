@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "study/file_trials.hpp"
 
@@ -11,5 +12,9 @@ namespace fingerpad {
 /// nothing is told, as a sensor's offset could be either.
 /// @returns why to refuse the file; empty where nothing is odd
 std::string swapped_forces_doubt(FileTrials trials);
+
+/// The same of single trials, where that is no more than half of their file: what to tell of each.
+/// @pre swapped_forces_doubt of the file is empty
+std::vector<std::string> swapped_trial_doubts(FileTrials own, const std::vector<RecordedTrial>& all);
 
 }  // namespace fingerpad

@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "base/number_text.hpp"
 #include "motion/recording_clock.hpp"
+#include "study/recorders_rate.hpp"
 #include "touch/skin_motion.hpp"
 
 namespace fingerpad {
@@ -87,8 +88,9 @@ void TrialRows::finish(RecordedMeasurement& into) const {
   if (lost == static_cast<long>(t_s_.size()) && step_s > longest_gap_s)
     throw refused(file_,
                   fmt::format("trial {} of subject {}: its {} rows are {} s apart, longer than the second "
-                              "that parts pieces: is its time in another unit than seconds (--time-unit ms)?",
-                              number_, subject_, t_s_.size(), rounded_text(step_s, 3)));
+                              "that parts pieces: if its time is in another unit than seconds, say {}",
+                              number_, subject_, t_s_.size(), rounded_text(step_s, 3),
+                              unit_of_seconds_words(1 / step_s)));
   if (into.trials.size() > first + 1) {
     for (std::size_t k = first; k < into.trials.size(); ++k)
       into.trials[k].piece = static_cast<int>(k - first) + 1;

@@ -8,6 +8,7 @@
 #include "base/number_text.hpp"
 #include "base/unit.hpp"
 #include "motion/force_unit_doubt.hpp"
+#include "study/recorders_rate.hpp"
 
 namespace fingerpad {
 namespace {
@@ -15,20 +16,26 @@ namespace {
 constexpr std::string_view units_checked =
     "are the units right (the options that say them, and the table's)?";
 
-/// "if they are in us, which makes 1000 a second, say --time-unit us"; empty where no other unit makes it a
-/// recorder's rate, at which the finger goes as one does.
-std::string likely_time_unit(FileTrials trials, double rate_hz, double seconds_per_unit, bool tells_times) {
-  constexpr double slowest_hz = 50, fastest_hz = 20e3, slowest = 1e-3, fastest = 1.5;
-  const double speed = usual(trials, fastest_m_per_s);
+/// The unit in which times make a recorder's rate, at which the finger goes as one does; null where none
+/// does.
+/// @param rate_hz, speed_m_per_s  as they are read
+const TimeUnit* likely_time_unit(double rate_hz, double seconds_per_unit, double speed_m_per_s) {
+  constexpr double slowest = 1e-3, fastest = 1.5;
   for (const TimeUnit& unit : time_units) {
-    const double times = seconds_per_unit / unit.seconds, likely_hz = rate_hz * times;
-    if (likely_hz < slowest_hz || likely_hz > fastest_hz) continue;
-    if (speed * times < slowest || speed * times > fastest) continue;
-    return fmt::format("if they are in {0}, which makes {1} a second, {2} {0}", unit.name,
-                       rounded_text(likely_hz, 4),
-                       tells_times ? "the unit that its table tells of them is to be" : "say --time-unit");
+    const double times = seconds_per_unit / unit.seconds;
+    if (!is_recorders_rate(rate_hz * times)) continue;
+    if (speed_m_per_s * times >= slowest && speed_m_per_s * times <= fastest) return &unit;
   }
-  return {};
+  return nullptr;
+}
+
+/// "if they are in us, which makes 1000 a second, say --time-unit us"; empty where no other unit is likely.
+std::string likely_unit_words(FileTrials trials, double rate_hz, double seconds_per_unit, bool tells_times) {
+  const TimeUnit* unit = likely_time_unit(rate_hz, seconds_per_unit, usual(trials, fastest_m_per_s));
+  if (unit == nullptr) return {};
+  return fmt::format("if they are in {0}, which makes {1} a second, {2} {0}", unit->name,
+                     rounded_text(rate_hz * seconds_per_unit / unit->seconds, 4),
+                     tells_times ? "the unit that its table tells of them is to be" : "say --time-unit");
 }
 
 void doubt_times(FileTrials trials, const MeasurementFormat& format, bool tells_times,
@@ -39,13 +46,13 @@ void doubt_times(FileTrials trials, const MeasurementFormat& format, bool tells_
   if (!format.says_time_unit && !(rate_hz >= slowest_hz && rate_hz <= refused_hz)) {
     doubts.push_back(
         {true,
-         fmt::format("taken as seconds, its times give {} samples a second: say --time-unit ms (or "
-                     "us), or --time-unit s if they are seconds",
-                     rounded_text(rate_hz, 3)),
+         fmt::format("taken as seconds, its times give {} samples a second: say {}, or --time-unit s if they "
+                     "are seconds",
+                     rounded_text(rate_hz, 3), unit_of_seconds_words(rate_hz)),
          true});
     return;
   }
-  const std::string likely = likely_time_unit(trials, rate_hz, format.seconds_per_unit, tells_times);
+  const std::string likely = likely_unit_words(trials, rate_hz, format.seconds_per_unit, tells_times);
   doubts.push_back(
       {false,
        fmt::format("its times give {} samples a second, at which no finger is measured: {}",

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "study/file_delays.hpp"
+#include "study/fit_told.hpp"
 #include "study/profile_text.hpp"
 #include "support/pad_measurement.hpp"
 
@@ -37,6 +38,20 @@ TEST(FitTold, AdvisesWhereADelayIsNotTold) {
   CleaningSettings off;
   off.takes_delay = false;
   EXPECT_THAT(delay_text({untold}, off), Not(HasSubstr("--delay")));
+}
+
+TEST(FitTold, DoubtsAFrictionThatNoFingertipHas) {
+  const auto told = [](double mu_dynamic, const char* refusal) {
+    ProfileFit fit;
+    value_of(fit.values, PadNumber::mu_dynamic).value = mu_dynamic;
+    value_of(fit.values, PadNumber::mu_dynamic).refusal = refusal;
+    return fit_warnings(fit);
+  };
+  EXPECT_THAT(told(0.024, ""), Contains(HasSubstr("mu_dynamic comes out as 0.024, less than a fingertip's")));
+  EXPECT_THAT(told(5.8, ""), Contains(HasSubstr("mu_dynamic comes out as 5.8, more than a fingertip's")));
+  for (const double usual : {0.06, 3.5})
+    EXPECT_THAT(told(usual, ""), Not(Contains(HasSubstr("mu_dynamic comes"))));
+  EXPECT_THAT(told(0.024, "not told"), Not(Contains(HasSubstr("mu_dynamic comes"))));
 }
 
 TEST(FitTold, AdvisesWhereNoTareIsTakenAndCallsASwingNotStill) {

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "base/random_stream.hpp"
 #include "study/air_offset.hpp"
 #include "study/measurement.hpp"
@@ -381,6 +383,20 @@ TEST(MeasurementDoubts, SwappedForcesAreRefusedAndNoTrialIsOddByThem) {
   EXPECT_THAT(doubts_of(recorded, {}), testing::IsEmpty());
   EXPECT_THAT(test::why_not([&] { refuse_doubtful(recorded, {}, 0); }),
               AllOf(HasSubstr("known: along the plate's normal"), HasSubstr("along y it presses")));
+}
+
+TEST(MeasurementDoubts, SwappedForcesOfSingleTrialsAreToldOfThese) {
+  RecordedMeasurement recorded =
+      test::known_measurement({rubs[1], rubs[1], rubs[1], rubs[1]}, {}, test::bad_sensors(), 1);
+  Eigen::Matrix3Xd& forces_W = recorded.trials[2].force_W;
+  forces_W.row(1).swap(forces_W.row(2));
+  EXPECT_NO_THROW(refuse_doubtful(recorded, {}, 0));
+  const auto told = doubts_of(recorded, {});
+  EXPECT_THAT(told, testing::Contains(AllOf(HasSubstr("trial 3: along the plate's normal"),
+                                            HasSubstr("two of its columns of force are swapped"))));
+  EXPECT_EQ(
+      std::ranges::count_if(told, [](const std::string& line) { return line.find("swapped") != line.npos; }),
+      1);
 }
 
 TEST(MeasurementDoubts, NothingIsWarnedOfWhatIsAsItShouldBe) {
