@@ -48,6 +48,12 @@ std::vector<Trial> trials_of(const JudgedCase& one) {
   return trials;
 }
 
+/// The run of a way to touch: the most complete one's is that which its trial's reference was told by.
+JudgedRun run_of(const Trial& trial, std::size_t variant) {
+  const bool is_reference = variant + 1 == contact_variants().size() && !trial.on.exact_force_n;
+  return is_reference ? trial.reference.complete : judged_run(trial.on, contact_variants()[variant], 1);
+}
+
 /// So many trials are made before it is asked whether others are needed: the same on any number of threads,
 /// and at least so many.
 constexpr std::size_t trials_at_a_time = 8;
@@ -66,8 +72,7 @@ void try_promise(const JudgedCase& one, JudgedRow& row) {
       std::vector<JudgedErrors> some(std::min(trials_at_a_time, trials.size() - first));
       for_each_at_once(some.size(), [&](std::size_t i) {
         const Trial& trial = trials[first + i];
-        some[i] = judged_errors(trial.on, judged_run(trial.on, contact_variants()[v], 1), trial.reference,
-                                trial.promised);
+        some[i] = judged_errors(trial.on, run_of(trial, v), trial.reference, trial.promised);
       });
       for (const JudgedErrors& trial : some) {
         worst = std::max(worst, trial.share_99);

@@ -7,6 +7,7 @@
 #include "contact/contact_method_table.hpp"
 #include "contact/curved_closest.hpp"
 #include "contact/facet_rule.hpp"
+#include "replay/pop_throughs.hpp"
 #include "study/stretch_run.hpp"
 
 namespace fingerpad {
@@ -145,6 +146,7 @@ JudgedReference judged_reference(const JudgedCase& judged) {
                              judged.scene.motion.rate_hz, Events::tick};
   for (const FingerPath& way : judged.ways) {
     Touch touch(judged.world, touched_by(judged.scene, complete));
+    PopThroughs pop_throughs(judged.world);
     for (long k = 0; k < way.tick_count(); ++k) {
       const FingerSample sample = way.at(k);
       if (judged.exact_force_n) {
@@ -153,9 +155,12 @@ JudgedReference judged_reference(const JudgedCase& judged) {
         continue;
       }
       const TickRecord& record = touch.tick(sample);
+      pop_throughs.observe(record);
+      reference.complete.force_W_n.push_back(record.force_W_n);
       reference.force_W_n.push_back(complete_force(judged, record));
       reference.slips.push_back(slips_round(judged, record));
     }
+    if (!judged.exact_force_n) reference.complete.pop_throughs.push_back(pop_throughs.count());
   }
   return reference;
 }

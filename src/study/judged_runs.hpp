@@ -21,6 +21,8 @@ JudgedRun judged_run(const JudgedCase& judged, const ContactVariant& variant, in
 struct JudgedReference {
   std::vector<Vec3> force_W_n;  ///< on the finger
   std::vector<bool> slips;  ///< the finger is pressed deeper than 4/5 of a rounding's radius: it slips off
+  /// What the most complete way itself answers, untimed; empty where the surface is known exactly.
+  JudgedRun complete;
 };
 
 /// The forces that a case's runs are held against: those of the surface that is known exactly; else the most
