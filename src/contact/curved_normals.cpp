@@ -2,6 +2,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -21,18 +22,29 @@ constexpr double even = 0.2, uneven = 0.4;
 /// Two normals that differ by less are one [rad].
 constexpr double alike_rad = 1e-6;
 
+/// A fan's round normal (fan_shape.hpp), zero where there is none, and whether the fan is closed: that of one
+/// that is not is turned to the side on which its facets are.
+struct RoundNormal {
+  Vec3 normal = Vec3::Zero();
+  bool is_closed = false;
+};
+
 /// What the fans of a part share, in tables, or reckoned where it is asked for: to the same bits.
 struct FanTables {
   FaceAreas areas;
   const std::vector<int>* lowest = nullptr;  ///< of each corner's fan the lowest corner, -1 where none
-  const Points* round_normals = nullptr;     ///< of each fan, by its lowest corner
+  const std::vector<RoundNormal>* rounds = nullptr;  ///< of each fan, by its lowest corner
+  const Points* inner_normals = nullptr;             ///< likewise; zero of fans that are not closed
 
-  Vec3 round_normal(PartCorner at) const noexcept;  ///< zero where there is none
+  RoundNormal round_normal(PartCorner at) const noexcept;
+  Vec3 inner_normal(PartCorner at) const noexcept;  ///< zero where there is none
 };
 
 /// How unlike the fan's edges are curved at their two ends, where the normals are round ones: the largest
-/// difference over edges of facets that count, of the largest curvature.
-double unevenness(const FanTables& shared, std::span<const FanFacet> fan, const FanShape& shape) noexcept {
+/// difference over edges of facets that count, of the largest curvature. A closed fan's edges to one that is
+/// not do not count.
+double unevenness(const FanTables& shared, const SmoothFan& around, const FanShape& shape) noexcept {
+  const std::span<const FanFacet> fan = around.facets();
   double largest = 0, differ = 0;
   for (std::size_t i = 0; i < fan.size(); ++i) {
     for (const int k : {1, 2}) {
@@ -40,13 +52,64 @@ double unevenness(const FanTables& shared, std::span<const FanFacet> fan, const 
       const double length2 = edge.squaredNorm();
       if (!(length2 > 0)) continue;
       const PartCorner end{fan[i].at.triangle, (fan[i].at.corner + k) % 3};
+      const RoundNormal at_end = shared.round_normal(end);
+      if (around.is_closed() && !at_end.is_closed) continue;
       const double here = -2 * shape.round_normal.dot(edge) / length2,
-                   there = 2 * shared.round_normal(end).dot(edge) / length2;
+                   there = 2 * at_end.normal.dot(edge) / length2;
       largest = std::max(largest, shape.counts[i] * std::max(std::abs(here), std::abs(there)));
       differ = std::max(differ, shape.counts[i] * std::abs(here - there));
     }
   }
   return largest > 0 ? differ / largest : 0;
+}
+
+/// By its own facets alone.
+Vec3 own_normal(const FanTables& shared, const SmoothFan& fan) noexcept {
+  const FanShape shape = fan_shape(shared.areas, fan.facets());
+  if ((shape.wide_normal - shape.round_normal).norm() <= alike_rad) return shape.wide_normal;
+  const double round = smoothstep(uneven, even, unevenness(shared, fan, shape));
+  return unit_or_zero((1 - round) * shape.wide_normal + round * shape.round_normal);
+}
+
+/// Of a closed fan; zero of any other.
+Vec3 fan_inner_normal(const FanTables& shared, PartCorner lowest) noexcept {
+  SmoothFan fan;
+  return fan.gather(shared.areas.part, lowest) && fan.is_closed() ? own_normal(shared, fan) : Vec3::Zero();
+}
+
+/// The normal of a fan that is not closed, which its own facets, all on one side of the vertex, turn to that
+/// side. Along an edge to a vertex whose fan is closed the normals at both ends stand to it at one angle, as
+/// on every arc of a circle: as they do with the least turn that makes them so, on the mean of squares, and
+/// no more than such normals differ.
+/// @param normal  own_normal
+Vec3 rim_normal(const FanTables& shared, std::span<const FanFacet> fan, const Vec3& normal) noexcept {
+  const Vec3 u = normal.unitOrthogonal(), v = normal.cross(u);
+  Eigen::Matrix2d sums = Eigen::Matrix2d::Zero();
+  Eigen::Vector2d lacks = Eigen::Vector2d::Zero();
+  double most = 0;
+  for (const FanFacet& facet : fan) {
+    for (const int k : {1, 2}) {
+      const Vec3 inner = shared.inner_normal({facet.at.triangle, (facet.at.corner + k) % 3});
+      const Vec3& edge = k == 1 ? facet.first : facet.second;
+      const double length = edge.norm();
+      if (inner.isZero() || !(length > 0)) continue;
+      const Eigen::Vector2d along = Eigen::Vector2d(edge.dot(u), edge.dot(v)) / length;
+      sums += along * along.transpose();
+      lacks -= (normal + inner).dot(edge) / length * along;
+      most = std::max(most, (normal - inner).norm());
+    }
+  }
+  // Across a single edge, or several that are nearly one, nothing is said.
+  constexpr double one_way = 0.02, two_ways = 0.1;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> ways(sums);
+  const Eigen::Vector2d said = ways.eigenvalues();
+  if (!(said[1] > 0)) return normal;
+  Eigen::Vector2d turn = ways.eigenvectors().col(1).dot(lacks) / said[1] * ways.eigenvectors().col(1);
+  const double across = smoothstep(one_way, two_ways, said[0] / said[1]);
+  if (across > 0)
+    turn += across * ways.eigenvectors().col(0).dot(lacks) / said[0] * ways.eigenvectors().col(0);
+  const double scale = turn.norm() > most ? most / turn.norm() : 1;
+  return unit_or_zero(normal + scale * (turn[0] * u + turn[1] * v));
 }
 
 /// Of the fan with this lowest corner. Part::corner_normals where it gives nothing, folded upon itself, or
@@ -56,27 +119,33 @@ Vec3 fan_normal(const FanTables& shared, PartCorner lowest) noexcept {
   const Vec3 otherwise = part.corner_normals.col(lowest.column());
   SmoothFan fan;
   if (!fan.gather(part, lowest)) return otherwise;
-  const FanShape shape = fan_shape(shared.areas, fan.facets());
-  Vec3 normal = shape.wide_normal;
-  if ((shape.wide_normal - shape.round_normal).norm() > alike_rad) {
-    const double round = smoothstep(uneven, even, unevenness(shared, fan.facets(), shape));
-    normal = unit_or_zero((1 - round) * shape.wide_normal + round * shape.round_normal);
-  }
+  Vec3 normal = own_normal(shared, fan);
+  if (!fan.is_closed() && !normal.isZero()) normal = rim_normal(shared, fan.facets(), normal);
   return normal.dot(otherwise) > 0.5 ? normal : otherwise;
 }
 
-Vec3 fan_round_normal(const FaceAreas& areas, PartCorner lowest) noexcept {
+RoundNormal fan_round_normal(const FaceAreas& areas, PartCorner lowest) noexcept {
   SmoothFan fan;
-  return fan.gather(areas.part, lowest) ? fan_shape(areas, fan.facets()).round_normal : Vec3::Zero();
+  if (!fan.gather(areas.part, lowest)) return {};
+  return {fan_shape(areas, fan.facets()).round_normal, fan.is_closed()};
 }
 
-Vec3 FanTables::round_normal(PartCorner at) const noexcept {
-  if (round_normals != nullptr) {
+RoundNormal FanTables::round_normal(PartCorner at) const noexcept {
+  if (rounds != nullptr) {
     const int fan = (*lowest)[static_cast<std::size_t>(at.column())];
-    return fan < 0 ? Vec3::Zero() : Vec3(round_normals->col(fan));
+    return fan < 0 ? RoundNormal() : (*rounds)[static_cast<std::size_t>(fan)];
   }
   const auto fan = SmoothFan::lowest(areas.part, at);
-  return fan ? fan_round_normal(areas, *fan) : Vec3::Zero();
+  return fan ? fan_round_normal(areas, *fan) : RoundNormal();
+}
+
+Vec3 FanTables::inner_normal(PartCorner at) const noexcept {
+  if (inner_normals != nullptr) {
+    const int fan = (*lowest)[static_cast<std::size_t>(at.column())];
+    return fan < 0 ? Vec3::Zero() : Vec3(inner_normals->col(fan));
+  }
+  const auto fan = SmoothFan::lowest(areas.part, at);
+  return fan ? fan_inner_normal(*this, *fan) : Vec3::Zero();
 }
 
 /// Of each corner the lowest of its fan, -1 where there is none.
@@ -112,10 +181,13 @@ Points curved_corner_normals(const Part& part) {
       if (lowest[static_cast<std::size_t>(i)] == i) make(i);
     });
   };
-  Points rounds(3, Eigen::Index{3} * n);
+  std::vector<RoundNormal> rounds(3 * static_cast<std::size_t>(n));
   const FaceAreas areas{part, &face_areas};
-  each_fan([&](int i) { rounds.col(i) = fan_round_normal(areas, {i / 3, i % 3}); });
-  const FanTables tables{areas, &lowest, &rounds};
+  each_fan([&](int i) { rounds[static_cast<std::size_t>(i)] = fan_round_normal(areas, {i / 3, i % 3}); });
+  FanTables tables{areas, &lowest, &rounds};
+  Points inner(3, Eigen::Index{3} * n);
+  each_fan([&](int i) { inner.col(i) = fan_inner_normal(tables, {i / 3, i % 3}); });
+  tables.inner_normals = &inner;
   Points normals(3, Eigen::Index{3} * n);
   each_fan([&](int i) { normals.col(i) = fan_normal(tables, {i / 3, i % 3}); });
   tbb::parallel_for(0, 3 * n, [&](int i) {

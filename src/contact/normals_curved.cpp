@@ -37,14 +37,6 @@ SurfacePoint on_patch(const TriangleTree& tree, const ClosestTriangle& facets, c
   return result;
 }
 
-/// They are what other normals are held against. How far they are off the surface itself is told by how far a
-/// patch's own normal is off them: where arcs of one radius, in even facets, turn over from convex to concave
-/// by so many times that, to a seventh (study contact: bend).
-double curved_off_rad(const SurfacePlace& place) noexcept {
-  constexpr double off_per_patch = 0.65;
-  return off_per_patch * place.patch_rad;
-}
-
 }  // namespace
 
 /// A cubic patch over each triangle (curved_patch.hpp) stands for the surface: point, distance and normal are

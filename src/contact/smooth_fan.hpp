@@ -36,10 +36,13 @@ class SmoothFan {
   /// False where the fan has too many facets, or a corner of a lower number than `lowest`.
   bool gather(const Part& part, PartCorner lowest) noexcept;
   std::span<const FanFacet> facets() const noexcept { return std::span(facets_).first(count_); }
+  /// Whether it goes all around the vertex; else it ends at a crease, or at the part's rim.
+  bool is_closed() const noexcept { return is_closed_; }
 
  private:
   std::array<FanFacet, most_facets> facets_;
   std::size_t count_ = 0;
+  bool is_closed_ = false;
 };
 
 }  // namespace fingerpad

@@ -29,10 +29,16 @@ struct SurfacePlace {
   bool operator==(const SurfacePlace&) const = default;
 };
 
-/// How far normals that are held against curved ones are off the surface with these, where it turns over from
-/// convex to concave as NormalsEntry::off_rad of those has it: to a tenth (study contact: bend).
+/// How far curved normals are off the surface itself, and how far others are that are held against them, beside
+/// what they are off these: so many times what the patch's own are off the shown ones, where it turns over from
+/// convex to concave. So much at the most where arcs of unlike radii or uneven facets meet; of one radius, in
+/// even facets, two thirds and four fifths of it (study contact: bend).
+inline double curved_off_rad(const SurfacePlace& place) noexcept {
+  constexpr double off_per_patch = 0.95;
+  return off_per_patch * place.patch_rad;
+}
 inline double off_with_curved_rad(const SurfacePlace& place) noexcept {
-  constexpr double off_per_patch = 0.8;
+  constexpr double off_per_patch = 1.05;
   return off_per_patch * place.patch_rad;
 }
 

@@ -99,6 +99,12 @@ bool ContactPair::holds() const {
   return std::all_of(fails.begin(), fails.end(), [](const std::string& why) { return why.empty(); });
 }
 
+bool ContactPair::gets_round() const {
+  return normals->shade != nullptr ||
+         std::all_of(errors.begin(), errors.end(),
+                     [](const ReckonedError& error) { return !(error.behind_share > 0); });
+}
+
 double ContactPair::tolerances(std::span<const ContactCase> cases, std::size_t i) const {
   return std::max(errors[i].force_share / cases[i].contact.force_tolerance,
                   errors[i].mean_tilt_rad / cases[i].mean_tilt_rad);
@@ -110,16 +116,33 @@ double ContactPair::tolerances(std::span<const ContactCase> cases) const {
   return most;
 }
 
-double ContactPair::misses(std::span<const ContactCase> cases) const {
+namespace {
+
+/// @param most_force, most_mu  errors count as no more than that
+double misses_of(const ContactPair& pair, std::span<const ContactCase> cases, double most_force,
+                 double most_mu) {
   double most = 1;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     double product = 1;
     for (std::size_t k = 0; k < ReckonedError::forces; ++k)
-      product *= std::max({1.0, errors[i].force_shares[k] / cases[i].contact.force_tolerance,
-                           errors[i].mean_tilts_rad[k] / cases[i].mean_tilt_rad});
+      product *= std::max(
+          {1.0, std::min(most_force, pair.errors[i].force_shares[k]) / cases[i].contact.force_tolerance,
+           std::min(most_mu / cases[i].mu_tolerance,
+                    pair.errors[i].mean_tilts_rad[k] / cases[i].mean_tilt_rad)});
     most = std::max(most, std::pow(product, 1.0 / static_cast<double>(ReckonedError::forces)));
   }
   return most;
+}
+
+}  // namespace
+
+double ContactPair::misses(std::span<const ContactCase> cases) const {
+  constexpr double any = std::numeric_limits<double>::infinity();
+  return misses_of(*this, cases, any, any);
+}
+
+double ContactPair::told_misses(std::span<const ContactCase> cases) const {
+  return misses_of(*this, cases, most_force_kept, most_mu_kept);
 }
 
 std::vector<ContactPair> contact_pairs(const Scene& scene, std::span<const Surface> surfaces,

@@ -47,6 +47,9 @@ ContactCase contact_case(const Scene& scene, const Surface& surface, const PartM
 std::vector<ContactCase> contact_cases(const Scene& scene, std::span<const Surface> surfaces,
                                        std::span<const PartMeasures> measures);
 
+/// Beyond a third of the force reckoning says nothing, and an error of mu as large as mu is no tolerance.
+inline constexpr double most_force_kept = 1.0 / 3, most_mu_kept = 1;
+
 /// A contact method with normals, rows of their tables, and what is reckoned of them.
 struct ContactPair {
   const ContactMethodEntry* method;
@@ -57,6 +60,9 @@ struct ContactPair {
 
   bool touches_own_surface() const { return method->touches_own_surface && normals->own_surface != nullptr; }
   bool holds() const;
+  /// Whether the contact goes round every rounding with the finger: on plain facets a proxy that falls behind
+  /// there does not get round at all.
+  bool gets_round() const;
   /// The error on part i in tolerances, the force's or the normals' tilt's: 1 and less are kept.
   double tolerances(std::span<const ContactCase> cases, std::size_t i) const;
   /// The largest there is.
@@ -64,6 +70,9 @@ struct ContactPair {
   /// By how many times it misses them from the lightest press to the hardest, on geometric mean: 1 where it
   /// keeps them under all. The largest there is.
   double misses(std::span<const ContactCase> cases) const;
+  /// The same as far as reckoning says anything: no error counts as more than could be kept (most_force_kept,
+  /// most_mu_kept).
+  double told_misses(std::span<const ContactCase> cases) const;
 };
 
 /// Every pair that `auto` may take for a scene: those it leaves open, with all errors reckoned.

@@ -1,6 +1,7 @@
 #include "touch/contact_verdict.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -14,36 +15,44 @@ constexpr double nothing_is_kept = std::numeric_limits<double>::infinity();
 /// What is said instead of a tolerance leaves room for what reckoning may be off by: of 35 real parts that
 /// were tried, by a quarter at most (auto_judged.csv).
 constexpr double reckoning_margin = 4.0 / 3;
-/// Beyond a third of the force reckoning says nothing, and an error of mu as large as mu is no tolerance.
-constexpr double most_force_kept = 1.0 / 3, most_mu_kept = 1;
 /// Where nothing keeps the tolerance, what costs less may miss it by so much more than the best.
 constexpr double nearly_best = 1.1;
 
+using Candidates = std::vector<const ContactPair*>;
+
+/// Leaves those that miss the tolerances by nearly as little as the best.
+template <typename Misses>
+void leave_nearly_best(Candidates& candidates, const Misses& misses) {
+  double least = nothing_is_kept;
+  for (const ContactPair* pair : candidates) least = std::min(least, misses(*pair));
+  std::erase_if(candidates, [&](const ContactPair* pair) { return misses(*pair) > nearly_best * least; });
+}
+
+/// Where nothing keeps the tolerances. Light presses count as much as hard ones: under the hardest all may be
+/// off by the whole force, and anything would do. First by what reckoning can say; of what is alike by that,
+/// a finger gets through what does not get round with it.
+void leave_least_bad(Candidates& candidates, std::span<const ContactCase> cases) {
+  leave_nearly_best(candidates, [&](const ContactPair& pair) { return pair.told_misses(cases); });
+  if (std::ranges::any_of(candidates, &ContactPair::gets_round))
+    std::erase_if(candidates, [](const ContactPair* pair) { return !pair->gets_round(); });
+  leave_nearly_best(candidates, [&](const ContactPair& pair) { return pair.misses(cases); });
+}
+
 /// @param pairs  the most complete method's last
 std::size_t best_of(const std::vector<ContactPair>& pairs, std::span<const ContactCase> cases) {
-  const bool any_holds =
-      std::any_of(pairs.begin(), pairs.end(), [](const ContactPair& pair) { return pair.holds(); });
-  // Where none can do, the most complete lets no finger through.
-  const auto may_be_taken = [&](const ContactPair& pair) {
-    return any_holds ? pair.holds() : pair.method == pairs.back().method;
-  };
-  // Where none keeps them, light presses count as much as hard ones: under the hardest all may be off by the
-  // whole force, and anything would do.
-  double least = nothing_is_kept, least_missed = nothing_is_kept;
+  const bool any_holds = std::ranges::any_of(pairs, &ContactPair::holds);
+  Candidates candidates;
   for (const ContactPair& pair : pairs) {
-    if (!may_be_taken(pair)) continue;
-    least = std::min(least, pair.tolerances(cases));
-    least_missed = std::min(least_missed, pair.misses(cases));
+    // Where none can do, the most complete lets no finger through.
+    if (any_holds ? pair.holds() : pair.method == pairs.back().method) candidates.push_back(&pair);
   }
-  const auto is_good = [&](const ContactPair& pair) {
-    return least <= 1 ? pair.tolerances(cases) <= 1 : pair.misses(cases) <= nearly_best * least_missed;
-  };
-  std::size_t best = pairs.size();
-  for (std::size_t k = 0; k < pairs.size(); ++k) {
-    if (!may_be_taken(pairs[k]) || !is_good(pairs[k])) continue;
-    if (best == pairs.size() || pairs[k].cost < pairs[best].cost) best = k;
-  }
-  return best;
+  const auto keeps = [&](const ContactPair* pair) { return pair->tolerances(cases) <= 1; };
+  if (std::ranges::any_of(candidates, keeps))
+    std::erase_if(candidates, std::not_fn(keeps));
+  else
+    leave_least_bad(candidates, cases);
+  const auto cheapest = std::ranges::min_element(candidates, {}, &ContactPair::cost);
+  return cheapest == candidates.end() ? pairs.size() : static_cast<std::size_t>(*cheapest - pairs.data());
 }
 
 }  // namespace

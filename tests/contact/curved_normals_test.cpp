@@ -76,6 +76,48 @@ TEST(CurvedNormals, WhereAFilletTurnsFasterThanItsWallStayWithTheWall) {
   }
 }
 
+/// A cap of a sphere of radius 1, down to so far off its pole, on a flat floor.
+TriangleSoup cap(double edge_rad, int rings, int around) {
+  TriangleSoup soup;
+  soup.vertices_P.resize(3, 2 + rings * around);
+  soup.triangles.resize(3, 2 * rings * around);
+  const double floor = std::cos(edge_rad);
+  soup.vertices_P.col(0) << 0, 0, 1;
+  soup.vertices_P.col(1) << 0, 0, floor;
+  const auto at = [&](int ring, int i) { return 2 + ring * around + i % around; };
+  int t = 0;
+  for (int ring = 0; ring < rings; ++ring) {
+    for (int i = 0; i < around; ++i) {
+      const double down = edge_rad * (ring + 1) / rings, angle = 2 * M_PI * i / around;
+      soup.vertices_P.col(at(ring, i)) << std::sin(down) * std::cos(angle), std::sin(down) * std::sin(angle),
+          std::cos(down);
+      if (ring == 0) {
+        soup.triangles.col(t++) << 0, at(0, i), at(0, i + 1);
+      } else {
+        soup.triangles.col(t++) << at(ring - 1, i), at(ring, i), at(ring, i + 1);
+        soup.triangles.col(t++) << at(ring - 1, i), at(ring, i + 1), at(ring - 1, i + 1);
+      }
+      if (ring + 1 == rings) soup.triangles.col(t++) << 1, at(ring, i + 1), at(ring, i);
+    }
+  }
+  EXPECT_EQ(t, soup.triangles.cols());
+  return soup;
+}
+
+TEST(CurvedNormals, AtARimAreThoseOfTheSurfaceThatEndsThere) {
+  const Part part = make_part(cap(1, 6, 24), crease_rad);
+  double own_off = 0;
+  for (int t = 0; t < part.triangle_count(); ++t) {
+    const bool on_floor = part.facet_normals(2, t) < -0.99;
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 exact = on_floor ? Vec3(-Vec3::UnitZ()) : place_of(part, t, k);
+      EXPECT_LE((curved_corner_normal(part, t, k) - exact).norm(), 1e-3) << t;
+      own_off = std::max(own_off, (part.corner_normals.col(3 * t + k) - exact).norm());
+    }
+  }
+  EXPECT_GT(own_off, 0.05) << "its facets, all on one side, turn the parts' own normals there";
+}
+
 /// A cone's mantle of so many facets, whose tip is not in its middle, so that they are unlike.
 TriangleSoup leaning_cone(int facets) {
   TriangleSoup soup;
@@ -103,8 +145,9 @@ TEST(CurvedNormals, OfTooManyFacetsAreThePartsOwn) {
 }
 
 TEST(CurvedNormals, AreOneInAFanAndTheSameBitsInATable) {
-  for (const TriangleSoup& soup : {test::torus_soup(1, 0.4, 24, 16), uneven_sphere(), test::uneven_drum(),
-                                   test::filleted_bar(8, 3, 0.02), test::rounded_drum(24, 4, 0.8)}) {
+  for (const TriangleSoup& soup :
+       {test::torus_soup(1, 0.4, 24, 16), uneven_sphere(), test::uneven_drum(),
+        test::filleted_bar(8, 3, 0.02), test::rounded_drum(24, 4, 0.8), cap(1, 6, 24)}) {
     const Part part = make_part(soup, crease_rad);
     const Points table = curved_corner_normals(part);
     ASSERT_EQ(table.cols(), 3 * part.triangle_count());

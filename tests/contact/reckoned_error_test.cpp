@@ -67,11 +67,11 @@ TEST(ReckonedError, OfAPatchIsWhatItsOwnNormalTurnsTheFootBy) {
 TEST(ReckonedError, OfAnyNormalsIsHowFarThePatchesThatTheyAreHeldAgainstDoNotFitTheirs) {
   SurfacePlace place;
   place.patch_rad = 0.02;
-  EXPECT_NEAR(share(place, press, "proxy", Normals::curved), 0.65 * 0.02, 1e-12);
+  EXPECT_NEAR(share(place, press, "proxy", Normals::curved), 0.95 * 0.02, 1e-12);
   place.smooth_rad = 0.01;
-  EXPECT_NEAR(share(place, press, "proxy", Normals::smooth), 0.01 + 0.8 * 0.02, 1e-12);
+  EXPECT_NEAR(share(place, press, "proxy", Normals::smooth), 0.01 + 1.05 * 0.02, 1e-12);
   place.facet_rad = 0.05;
-  EXPECT_NEAR(share(place, press, "closest-point", Normals::facet), 0.05 + 0.8 * 0.02, 1e-12);
+  EXPECT_NEAR(share(place, press, "closest-point", Normals::facet), 0.05 + 1.05 * 0.02, 1e-12);
 }
 
 TEST(ReckonedError, OfRoundedCoordinatesIsFeltTheMostByTheLightestTouch) {
