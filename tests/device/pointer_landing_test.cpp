@@ -99,7 +99,7 @@ class HoverAndPress {
   bool touched_ = false;
 };
 
-const int landing_count = test::sanitized() ? 40 : 300;
+const int landing_count = test::sanitized() ? 20 : 300;
 
 // Some two seconds. The finger's goal sets out as slowly as the pointer's event is played: one that had
 // rested was taken for one that is held up, and flew up over the parts and down again.

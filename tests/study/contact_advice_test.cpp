@@ -139,7 +139,7 @@ TEST(ContactAdvice, OnTheStudysSurfacesIsTrue) {
     for (ExactSurface& small : small_exact_surfaces()) surfaces.push_back(std::move(small));
   Met met;
   for (const ExactSurface& surface : surfaces) {
-    for (const int level : {surface.levels.front(), surface.levels[surface.levels.size() / 2]}) {
+    for (const int level : test::cases({surface.levels.front(), surface.levels[surface.levels.size() / 2]})) {
       const Measured measured(surface.name,
                               std::make_shared<const Part>(make_part(surface.mesh(level), crease_rad)));
       for (const double radius_m : test::cases({0.0, 0.007})) {

@@ -3,7 +3,7 @@
 namespace fingerpad::test {
 
 bool sanitized() noexcept {
-#ifdef __SANITIZE_ADDRESS__
+#ifdef FINGERPAD_SANITIZED
   return true;
 #else
   return false;
