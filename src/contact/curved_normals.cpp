@@ -29,15 +29,22 @@ struct RoundNormal {
   bool is_closed = false;
 };
 
+/// A closed fan's normal, zero of any other, and how far it is from being told alike by wide and by round
+/// ones: on a sphere the second are right, along a cylinder's axis the first.
+struct InnerNormal {
+  Vec3 normal = Vec3::Zero();
+  double unsure_rad = 0;
+};
+
 /// What the fans of a part share, in tables, or reckoned where it is asked for: to the same bits.
 struct FanTables {
   FaceAreas areas;
   const std::vector<int>* lowest = nullptr;  ///< of each corner's fan the lowest corner, -1 where none
   const std::vector<RoundNormal>* rounds = nullptr;  ///< of each fan, by its lowest corner
-  const Points* inner_normals = nullptr;             ///< likewise; zero of fans that are not closed
+  const std::vector<InnerNormal>* inners = nullptr;  ///< likewise
 
   RoundNormal round_normal(PartCorner at) const noexcept;
-  Vec3 inner_normal(PartCorner at) const noexcept;  ///< zero where there is none
+  InnerNormal inner_normal(PartCorner at) const noexcept;
 };
 
 /// How unlike the fan's edges are curved at their two ends, where the normals are round ones: the largest
@@ -64,23 +71,23 @@ double unevenness(const FanTables& shared, const SmoothFan& around, const FanSha
 }
 
 /// By its own facets alone.
-Vec3 own_normal(const FanTables& shared, const SmoothFan& fan) noexcept {
-  const FanShape shape = fan_shape(shared.areas, fan.facets());
+Vec3 own_normal(const FanTables& shared, const SmoothFan& fan, const FanShape& shape) noexcept {
   if ((shape.wide_normal - shape.round_normal).norm() <= alike_rad) return shape.wide_normal;
   const double round = smoothstep(uneven, even, unevenness(shared, fan, shape));
   return unit_or_zero((1 - round) * shape.wide_normal + round * shape.round_normal);
 }
 
-/// Of a closed fan; zero of any other.
-Vec3 fan_inner_normal(const FanTables& shared, PartCorner lowest) noexcept {
+InnerNormal fan_inner_normal(const FanTables& shared, PartCorner lowest) noexcept {
   SmoothFan fan;
-  return fan.gather(shared.areas.part, lowest) && fan.is_closed() ? own_normal(shared, fan) : Vec3::Zero();
+  if (!fan.gather(shared.areas.part, lowest) || !fan.is_closed()) return {};
+  const FanShape shape = fan_shape(shared.areas, fan.facets());
+  return {own_normal(shared, fan, shape), (shape.wide_normal - shape.round_normal).norm()};
 }
 
 /// The normal of a fan that is not closed, which its own facets, all on one side of the vertex, turn to that
 /// side. Along an edge to a vertex whose fan is closed the normals at both ends stand to it at one angle, as
-/// on every arc of a circle: as they do with the least turn that makes them so, on the mean of squares, and
-/// no more than such normals differ.
+/// on every arc of a circle: as they do, but for what that vertex's own is unsure of, with the least turn
+/// that makes them so, on the mean of squares. No more than such normals differ.
 /// @param normal  own_normal
 Vec3 rim_normal(const FanTables& shared, std::span<const FanFacet> fan, const Vec3& normal) noexcept {
   const Vec3 u = normal.unitOrthogonal(), v = normal.cross(u);
@@ -89,14 +96,15 @@ Vec3 rim_normal(const FanTables& shared, std::span<const FanFacet> fan, const Ve
   double most = 0;
   for (const FanFacet& facet : fan) {
     for (const int k : {1, 2}) {
-      const Vec3 inner = shared.inner_normal({facet.at.triangle, (facet.at.corner + k) % 3});
+      const InnerNormal inner = shared.inner_normal({facet.at.triangle, (facet.at.corner + k) % 3});
       const Vec3& edge = k == 1 ? facet.first : facet.second;
       const double length = edge.norm();
-      if (inner.isZero() || !(length > 0)) continue;
+      if (inner.normal.isZero() || !(length > 0)) continue;
       const Eigen::Vector2d along = Eigen::Vector2d(edge.dot(u), edge.dot(v)) / length;
       sums += along * along.transpose();
-      lacks -= (normal + inner).dot(edge) / length * along;
-      most = std::max(most, (normal - inner).norm());
+      const double lack = -(normal + inner.normal).dot(edge) / length;
+      lacks += std::copysign(std::max(0.0, std::abs(lack) - inner.unsure_rad), lack) * along;
+      most = std::max(most, (normal - inner.normal).norm());
     }
   }
   // Across a single edge, or several that are nearly one, nothing is said.
@@ -112,15 +120,23 @@ Vec3 rim_normal(const FanTables& shared, std::span<const FanFacet> fan, const Ve
   return unit_or_zero(normal + scale * (turn[0] * u + turn[1] * v));
 }
 
+/// By all that is known of the fan; zero where that is nothing.
+Vec3 told_normal(const FanTables& shared, PartCorner lowest) noexcept {
+  if (shared.inners != nullptr) {
+    const Vec3 inner = (*shared.inners)[static_cast<std::size_t>(lowest.column())].normal;
+    if (!inner.isZero()) return inner;
+  }
+  SmoothFan fan;
+  if (!fan.gather(shared.areas.part, lowest)) return Vec3::Zero();
+  const Vec3 own = own_normal(shared, fan, fan_shape(shared.areas, fan.facets()));
+  return fan.is_closed() || own.isZero() ? own : rim_normal(shared, fan.facets(), own);
+}
+
 /// Of the fan with this lowest corner. Part::corner_normals where it gives nothing, folded upon itself, or
 /// one that is turned off that by over 60 degrees.
 Vec3 fan_normal(const FanTables& shared, PartCorner lowest) noexcept {
-  const Part& part = shared.areas.part;
-  const Vec3 otherwise = part.corner_normals.col(lowest.column());
-  SmoothFan fan;
-  if (!fan.gather(part, lowest)) return otherwise;
-  Vec3 normal = own_normal(shared, fan);
-  if (!fan.is_closed() && !normal.isZero()) normal = rim_normal(shared, fan.facets(), normal);
+  const Vec3 otherwise = shared.areas.part.corner_normals.col(lowest.column());
+  const Vec3 normal = told_normal(shared, lowest);
   return normal.dot(otherwise) > 0.5 ? normal : otherwise;
 }
 
@@ -139,13 +155,13 @@ RoundNormal FanTables::round_normal(PartCorner at) const noexcept {
   return fan ? fan_round_normal(areas, *fan) : RoundNormal();
 }
 
-Vec3 FanTables::inner_normal(PartCorner at) const noexcept {
-  if (inner_normals != nullptr) {
+InnerNormal FanTables::inner_normal(PartCorner at) const noexcept {
+  if (inners != nullptr) {
     const int fan = (*lowest)[static_cast<std::size_t>(at.column())];
-    return fan < 0 ? Vec3::Zero() : Vec3(inner_normals->col(fan));
+    return fan < 0 ? InnerNormal() : (*inners)[static_cast<std::size_t>(fan)];
   }
   const auto fan = SmoothFan::lowest(areas.part, at);
-  return fan ? fan_inner_normal(*this, *fan) : Vec3::Zero();
+  return fan ? fan_inner_normal(*this, *fan) : InnerNormal();
 }
 
 /// Of each corner the lowest of its fan, -1 where there is none.
@@ -185,9 +201,9 @@ Points curved_corner_normals(const Part& part) {
   const FaceAreas areas{part, &face_areas};
   each_fan([&](int i) { rounds[static_cast<std::size_t>(i)] = fan_round_normal(areas, {i / 3, i % 3}); });
   FanTables tables{areas, &lowest, &rounds};
-  Points inner(3, Eigen::Index{3} * n);
-  each_fan([&](int i) { inner.col(i) = fan_inner_normal(tables, {i / 3, i % 3}); });
-  tables.inner_normals = &inner;
+  std::vector<InnerNormal> inners(3 * static_cast<std::size_t>(n));
+  each_fan([&](int i) { inners[static_cast<std::size_t>(i)] = fan_inner_normal(tables, {i / 3, i % 3}); });
+  tables.inners = &inners;
   Points normals(3, Eigen::Index{3} * n);
   each_fan([&](int i) { normals.col(i) = fan_normal(tables, {i / 3, i % 3}); });
   tbb::parallel_for(0, 3 * n, [&](int i) {

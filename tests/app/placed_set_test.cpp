@@ -22,7 +22,7 @@ using testing::HasSubstr;
 /// A ball of 30 mm radius and a plate, rubbed at two places each.
 fs::path folder_with_set(const std::string& pressed) {
   const fs::path folder = test::scratch_dir();
-  test::write_file(folder, "ball.ply", test::binary_ply(test::sphere_soup(30, test::sanitized() ? 4 : 5)));
+  test::write_file(folder, "ball.ply", test::binary_ply(test::sphere_soup(30, 5)));
   test::write_file(folder, "plate.ply", test::binary_ply(test::box_soup({80, 80, 10})));
   std::ofstream(folder / "s.toml")
       << "name = \"s\"\n[[part]]\nmesh = \"ball.ply\"\nposition_m = [0.1, 0.2, -0.3]\nrotation = { axis = "

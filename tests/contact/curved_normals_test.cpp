@@ -104,18 +104,19 @@ TriangleSoup cap(double edge_rad, int rings, int around) {
   return soup;
 }
 
-TEST(CurvedNormals, AtARimAreThoseOfTheSurfaceThatEndsThere) {
+// To what the normals further in are told alike by wide and by round ones.
+TEST(CurvedNormals, AtARimAreNearlyThoseOfTheSurfaceThatEndsThere) {
   const Part part = make_part(cap(1, 6, 24), crease_rad);
   double own_off = 0;
   for (int t = 0; t < part.triangle_count(); ++t) {
     const bool on_floor = part.facet_normals(2, t) < -0.99;
     for (int k = 0; k < 3; ++k) {
       const Vec3 exact = on_floor ? Vec3(-Vec3::UnitZ()) : place_of(part, t, k);
-      EXPECT_LE((curved_corner_normal(part, t, k) - exact).norm(), 1e-3) << t;
+      EXPECT_LE((curved_corner_normal(part, t, k) - exact).norm(), 0.012) << t;
       own_off = std::max(own_off, (part.corner_normals.col(3 * t + k) - exact).norm());
     }
   }
-  EXPECT_GT(own_off, 0.05) << "its facets, all on one side, turn the parts' own normals there";
+  EXPECT_GT(own_off, 0.08) << "its facets, all on one side, turn the parts' own normals there";
 }
 
 /// A cone's mantle of so many facets, whose tip is not in its middle, so that they are unlike.
