@@ -165,14 +165,15 @@ void tell_overlaps(const Scene& scene, const std::string& path, std::vector<Plac
 /// Reads what the finger follows, if anything: refuses, or tells, what replay would.
 void look_at_motion(const Scene& scene) {
   if (!scene.motion.given() || stream_descriptor(scene.motion.file_path)) return;  // a stream is read once
-  for (const std::string& warning : load_motion(scene).warnings) print_err("fingerpad: {}\n", warning);
+  for (const std::string& warning : load_motion(scene).warnings)
+    print_err("fingerpad: warning: {}\n", warning);
 }
 
 /// Of what a scene says beside its parts: refuses, or tells, what replay would before its first tick.
 void look_at_finger_and_motion(const Scene& scene, const World& measured) {
   refuse_missing_inputs(scene);
-  look_at_motion(scene);
   refuse_huge_finger(measured, scene);
+  look_at_motion(scene);
   if (const std::string hint = finger_hint(measured, scene); !hint.empty())
     print_err("fingerpad: {}\n", hint);
 }
@@ -201,15 +202,15 @@ bool check_scene(const std::string& path, bool as_json, Json& report) {
     surface.p_WP = entry.position_m;
     surface.R_WP = entry.rotation;
   }
-  if (scene.parts.empty() && !as_json)
-    print_out("{}: can be touched\n  {} and no mesh: there is none to look at\n", path,
-              count_words(scene.planes.size(), "plane"));
   if (!all_touchable) return false;
   std::span<Json> parts;
   if (as_json) parts = std::span(report.get_ref<Json::array_t&>()).last(scene.parts.size());
   for (Json& part : parts) part["overlaps"] = Json::array();
   tell_overlaps(scene, path, std::move(surfaces), parts);
   look_at_finger_and_motion(scene, measured);
+  if (scene.parts.empty() && !as_json)
+    print_out("{}: can be touched\n  {} and no mesh: there is none to look at\n", path,
+              count_words(scene.planes.size(), "plane"));
   return all_touchable;
 }
 

@@ -22,18 +22,11 @@ constexpr double even = 0.2, uneven = 0.4;
 /// Two normals that differ by less are one [rad].
 constexpr double alike_rad = 1e-6;
 
-/// A fan's round normal (fan_shape.hpp), zero where there is none, and whether the fan is closed: that of one
-/// that is not is turned to the side on which its facets are.
+/// A fan's round normal (fan_shape.hpp), zero where there is none, and whether the fan is closed. An open
+/// fan's leans towards its facets.
 struct RoundNormal {
   Vec3 normal = Vec3::Zero();
   bool is_closed = false;
-};
-
-/// A closed fan's normal, zero of any other, and how far it is from being told alike by wide and by round
-/// ones: on a sphere the second are right, along a cylinder's axis the first.
-struct InnerNormal {
-  Vec3 normal = Vec3::Zero();
-  double unsure_rad = 0;
 };
 
 /// What the fans of a part share, in tables, or reckoned where it is asked for: to the same bits.
@@ -41,18 +34,20 @@ struct FanTables {
   FaceAreas areas;
   const std::vector<int>* lowest = nullptr;  ///< of each corner's fan the lowest corner, -1 where none
   const std::vector<RoundNormal>* rounds = nullptr;  ///< of each fan, by its lowest corner
-  const std::vector<InnerNormal>* inners = nullptr;  ///< likewise
+  const Points* inners = nullptr;                    ///< likewise
 
   RoundNormal round_normal(PartCorner at) const noexcept;
-  InnerNormal inner_normal(PartCorner at) const noexcept;
+  Vec3 inner_normal(PartCorner at) const noexcept;  ///< of a closed fan, zero of any other
 };
 
 /// How unlike the fan's edges are curved at their two ends, where the normals are round ones: the largest
-/// difference over edges of facets that count, of the largest curvature. A closed fan's edges to one that is
-/// not do not count.
+/// difference over edges of facets that count, of the largest curvature. A closed fan's edges to an open one,
+/// whose round normal leans, tell nothing; where the others are curved by less than half as much as these, as
+/// on a strip of a cylinder between two rims, nothing is told: then it is 1.
 double unevenness(const FanTables& shared, const SmoothFan& around, const FanShape& shape) noexcept {
   const std::span<const FanFacet> fan = around.facets();
-  double largest = 0, differ = 0;
+  constexpr double least_told = 0.5;
+  double largest = 0, told = 0, differ = 0;
   for (std::size_t i = 0; i < fan.size(); ++i) {
     for (const int k : {1, 2}) {
       const Vec3& edge = k == 1 ? fan[i].first : fan[i].second;
@@ -60,14 +55,16 @@ double unevenness(const FanTables& shared, const SmoothFan& around, const FanSha
       if (!(length2 > 0)) continue;
       const PartCorner end{fan[i].at.triangle, (fan[i].at.corner + k) % 3};
       const RoundNormal at_end = shared.round_normal(end);
-      if (around.is_closed() && !at_end.is_closed) continue;
       const double here = -2 * shape.round_normal.dot(edge) / length2,
                    there = 2 * at_end.normal.dot(edge) / length2;
-      largest = std::max(largest, shape.counts[i] * std::max(std::abs(here), std::abs(there)));
+      largest = std::max(largest, shape.counts[i] * std::abs(here));
+      if (around.is_closed() && !at_end.is_closed) continue;
+      told = std::max(told, shape.counts[i] * std::max(std::abs(here), std::abs(there)));
       differ = std::max(differ, shape.counts[i] * std::abs(here - there));
     }
   }
-  return largest > 0 ? differ / largest : 0;
+  if (!(told > least_told * largest)) return largest > 0 ? 1 : 0;
+  return differ / told;
 }
 
 /// By its own facets alone.
@@ -77,17 +74,36 @@ Vec3 own_normal(const FanTables& shared, const SmoothFan& fan, const FanShape& s
   return unit_or_zero((1 - round) * shape.wide_normal + round * shape.round_normal);
 }
 
-InnerNormal fan_inner_normal(const FanTables& shared, PartCorner lowest) noexcept {
+/// Of a closed fan; zero of any other.
+Vec3 fan_inner_normal(const FanTables& shared, PartCorner lowest) noexcept {
   SmoothFan fan;
-  if (!fan.gather(shared.areas.part, lowest) || !fan.is_closed()) return {};
-  const FanShape shape = fan_shape(shared.areas, fan.facets());
-  return {own_normal(shared, fan, shape), (shape.wide_normal - shape.round_normal).norm()};
+  if (!fan.gather(shared.areas.part, lowest) || !fan.is_closed()) return Vec3::Zero();
+  return own_normal(shared, fan, fan_shape(shared.areas, fan.facets()));
 }
 
-/// The normal of a fan that is not closed, which its own facets, all on one side of the vertex, turn to that
-/// side. Along an edge to a vertex whose fan is closed the normals at both ends stand to it at one angle, as
-/// on every arc of a circle: as they do, but for what that vertex's own is unsure of, with the least turn
-/// that makes them so, on the mean of squares. No more than such normals differ.
+/// What the closed fan at a corner says of the open ones beside it.
+struct Beside {
+  Vec3 normal = Vec3::Zero();  ///< zero: nothing
+  double unsure = 0;  ///< the distance between its wide normal and its round one: the second is right on a
+                      ///< sphere, along a cylinder's axis the first
+  double trust = 0;   ///< 0 .. 1, 0 where its edges are curved unlike at their ends: beside a flat strip that
+                      ///< ends there it is turned half into the fillet on its other side
+};
+
+Beside beside_rim(const FanTables& shared, PartCorner at) noexcept {
+  const auto lowest = SmoothFan::lowest(shared.areas.part, at);
+  SmoothFan fan;
+  if (!lowest || !fan.gather(shared.areas.part, *lowest) || !fan.is_closed()) return {};
+  const FanShape shape = fan_shape(shared.areas, fan.facets());
+  return {shared.inner_normal(at), (shape.wide_normal - shape.round_normal).norm(),
+          smoothstep(even, even / 2, unevenness(shared, fan, shape))};
+}
+
+/// The normal n of an open fan, whose own leans towards its facets, all on one side of the vertex. Along an
+/// edge e to a vertex whose fan is closed, with normal m, an arc of a circle has (n + m) e = 0: n is the own
+/// normal with the least turn that comes nearest to that, in least squares over such edges. What an m is
+/// unsure of is not taken for a lack, nor is what it is not trusted with, and the turn is no larger than such
+/// normals differ from the own.
 /// @param normal  own_normal
 Vec3 rim_normal(const FanTables& shared, std::span<const FanFacet> fan, const Vec3& normal) noexcept {
   const Vec3 u = normal.unitOrthogonal(), v = normal.cross(u);
@@ -96,14 +112,14 @@ Vec3 rim_normal(const FanTables& shared, std::span<const FanFacet> fan, const Ve
   double most = 0;
   for (const FanFacet& facet : fan) {
     for (const int k : {1, 2}) {
-      const InnerNormal inner = shared.inner_normal({facet.at.triangle, (facet.at.corner + k) % 3});
+      const Beside inner = beside_rim(shared, {facet.at.triangle, (facet.at.corner + k) % 3});
       const Vec3& edge = k == 1 ? facet.first : facet.second;
       const double length = edge.norm();
       if (inner.normal.isZero() || !(length > 0)) continue;
       const Eigen::Vector2d along = Eigen::Vector2d(edge.dot(u), edge.dot(v)) / length;
       sums += along * along.transpose();
       const double lack = -(normal + inner.normal).dot(edge) / length;
-      lacks += std::copysign(std::max(0.0, std::abs(lack) - inner.unsure_rad), lack) * along;
+      lacks += inner.trust * std::copysign(std::max(0.0, std::abs(lack) - inner.unsure), lack) * along;
       most = std::max(most, (normal - inner.normal).norm());
     }
   }
@@ -122,10 +138,8 @@ Vec3 rim_normal(const FanTables& shared, std::span<const FanFacet> fan, const Ve
 
 /// By all that is known of the fan; zero where that is nothing.
 Vec3 told_normal(const FanTables& shared, PartCorner lowest) noexcept {
-  if (shared.inners != nullptr) {
-    const Vec3 inner = (*shared.inners)[static_cast<std::size_t>(lowest.column())].normal;
-    if (!inner.isZero()) return inner;
-  }
+  const Vec3 inner = shared.inner_normal(lowest);
+  if (!inner.isZero()) return inner;
   SmoothFan fan;
   if (!fan.gather(shared.areas.part, lowest)) return Vec3::Zero();
   const Vec3 own = own_normal(shared, fan, fan_shape(shared.areas, fan.facets()));
@@ -155,13 +169,13 @@ RoundNormal FanTables::round_normal(PartCorner at) const noexcept {
   return fan ? fan_round_normal(areas, *fan) : RoundNormal();
 }
 
-InnerNormal FanTables::inner_normal(PartCorner at) const noexcept {
+Vec3 FanTables::inner_normal(PartCorner at) const noexcept {
   if (inners != nullptr) {
     const int fan = (*lowest)[static_cast<std::size_t>(at.column())];
-    return fan < 0 ? InnerNormal() : (*inners)[static_cast<std::size_t>(fan)];
+    return fan < 0 ? Vec3::Zero() : Vec3(inners->col(fan));
   }
   const auto fan = SmoothFan::lowest(areas.part, at);
-  return fan ? fan_inner_normal(*this, *fan) : InnerNormal();
+  return fan ? fan_inner_normal(*this, *fan) : Vec3::Zero();
 }
 
 /// Of each corner the lowest of its fan, -1 where there is none.
@@ -201,8 +215,8 @@ Points curved_corner_normals(const Part& part) {
   const FaceAreas areas{part, &face_areas};
   each_fan([&](int i) { rounds[static_cast<std::size_t>(i)] = fan_round_normal(areas, {i / 3, i % 3}); });
   FanTables tables{areas, &lowest, &rounds};
-  std::vector<InnerNormal> inners(3 * static_cast<std::size_t>(n));
-  each_fan([&](int i) { inners[static_cast<std::size_t>(i)] = fan_inner_normal(tables, {i / 3, i % 3}); });
+  Points inners(3, Eigen::Index{3} * n);
+  each_fan([&](int i) { inners.col(i) = fan_inner_normal(tables, {i / 3, i % 3}); });
   tables.inners = &inners;
   Points normals(3, Eigen::Index{3} * n);
   each_fan([&](int i) { normals.col(i) = fan_normal(tables, {i / 3, i % 3}); });

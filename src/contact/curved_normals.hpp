@@ -12,6 +12,10 @@ namespace fingerpad {
 /// fillet meets its face, wide facets count most: by their angle at the corner times their area. Between the
 /// two the normal goes over smoothly (unevenness, curved_normals.cpp).
 ///
+/// A fan that ends at a crease, or at the part's rim, has its facets on one side, towards which they lean:
+/// its normal is told by the closed fans beside it, as far as these are sure (rim_normal,
+/// curved_normals.cpp).
+///
 /// Beside a flat face (facets in one plane) of twice its area a fillet's first facet is left out: one beyond
 /// which the surface turns on by nearly twice as much as from the face to it. So a flat face keeps its own
 /// normal where it meets the facets of a fillet, a bore's wall that of its own strips, and the fillet's first

@@ -32,6 +32,8 @@ struct NormalsEntry {
   /// @param signed_distance_m  to the facets
   SurfacePoint (*own_surface)(const TriangleTree& tree, const ClosestTriangle& facets, const Vec3& q,
                               double signed_distance_m) noexcept = nullptr;
+  /// Whether the facets' own are shown.
+  bool shows_facets() const noexcept { return shade == nullptr; }
   double strays = 0;                               ///< of that surface off the facets, in sizes of the part
   void (*prepare)(const TriangleTree&) = nullptr;  ///< makes later answers faster; null: nothing to make
 };

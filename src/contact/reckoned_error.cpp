@@ -182,7 +182,7 @@ void take_worse(ReckonedError& worst, const ReckonedError& other) noexcept {
 std::vector<RegionError> region_errors(std::span<const SurfacePlace> places, const Press& press,
                                        const ContactMethodEntry& method, Normals normals) {
   std::vector<RegionError> errors;
-  const Way way{method.touches_own_surface && normals->own_surface != nullptr, normals->shade == nullptr,
+  const Way way{method.touches_own_surface && normals->own_surface != nullptr, normals->shows_facets(),
                 method.lags_on_facets, normals->off_rad};
   Scratch scratch;
   each_region(places, [&](std::span<const SurfacePlace> region) {

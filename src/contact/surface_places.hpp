@@ -29,14 +29,15 @@ struct SurfacePlace {
   bool operator==(const SurfacePlace&) const = default;
 };
 
-/// How far curved normals are off the surface itself, and how far others are that are held against them, beside
-/// what they are off these: so many times what the patch's own are off the shown ones, where it turns over from
-/// convex to concave. So much at the most where arcs of unlike radii or uneven facets meet; of one radius, in
-/// even facets, two thirds and four fifths of it (study contact: bend).
+/// How far curved normals are off the surface itself where it turns over from convex to concave: so many
+/// times what the patch's own normal is off the shown one. Arcs of one radius in even facets make 0.65 of it
+/// (study contact: bend); of unlike radii, in uneven facets, at the most about this.
 inline double curved_off_rad(const SurfacePlace& place) noexcept {
   constexpr double off_per_patch = 0.95;
   return off_per_patch * place.patch_rad;
 }
+/// Likewise how far normals are off it that are held against curved ones, beside what they are off these: 0.8
+/// on such arcs.
 inline double off_with_curved_rad(const SurfacePlace& place) noexcept {
   constexpr double off_per_patch = 1.05;
   return off_per_patch * place.patch_rad;

@@ -11,6 +11,21 @@
 #include "study/profile_text.hpp"
 
 namespace fingerpad {
+namespace {
+
+/// Of a coefficient that no fingertip has, from oiled glass to moist rubber; else empty.
+std::string odd_friction_words(const PadValues& values) {
+  constexpr double least = 0.05, most = 4;
+  const PadValue& mu = value_of(values, PadNumber::mu_dynamic);
+  const bool is_less = mu.value<least, is_more = mu.value> most;
+  if (!mu.refusal.empty() || (!is_less && !is_more)) return {};
+  return fmt::format(
+      "mu_dynamic comes out as {}, {} than a fingertip's ({} to {}): are the force's columns, its unit and "
+      "its zero right?",
+      rounded_text(mu.value, 3), is_less ? "less" : "more", least, most);
+}
+
+}  // namespace
 
 FitTold told_of_reading(const RecordedMeasurement& recorded, const MeasurementFormat& format) {
   FitTold told{recorded.notes, measurement_words(recorded), recorded.warnings};
@@ -32,22 +47,6 @@ std::vector<std::string> left_out_warnings(const Measurement& measurement) {
     warnings.push_back(reason + "; the file is left out");
   return warnings;
 }
-
-namespace {
-
-/// Of a coefficient that no fingertip has, from oiled glass to moist rubber; else empty.
-std::string odd_friction_words(const PadValues& values) {
-  constexpr double least = 0.05, most = 4;
-  const PadValue& mu = value_of(values, PadNumber::mu_dynamic);
-  if (!mu.refusal.empty() || (mu.value >= least && mu.value <= most)) return {};
-  return fmt::format(
-      "mu_dynamic comes out as {}, {} than a fingertip's ({} to {}): are the force's columns, its unit and "
-      "its "
-      "zero right?",
-      rounded_text(mu.value, 2), mu.value < least ? "less" : "more", least, most);
-}
-
-}  // namespace
 
 std::vector<std::string> fit_warnings(const ProfileFit& fit) {
   std::vector<std::string> warnings;

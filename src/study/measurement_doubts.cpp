@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "study/dead_channels.hpp"
 #include "study/file_trials.hpp"
 #include "study/height_doubts.hpp"
 #include "study/odd_trials.hpp"
@@ -76,7 +77,8 @@ std::vector<std::string> doubts_of(const RecordedMeasurement& recorded, const Me
       return;
     }
     for (const auto& doubts :
-         {height_doubts(own, recorded.trials), swapped_trial_doubts(own, recorded.trials)})
+         {height_doubts(own, recorded.trials), swapped_trial_doubts(own, recorded.trials),
+          dead_channel_doubts(own, recorded.trials)})
       told.insert(told.end(), doubts.begin(), doubts.end());
   });
   // By wrong times or the wrong normal force of some all trials are odd, or none.

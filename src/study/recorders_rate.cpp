@@ -1,5 +1,9 @@
 #include "study/recorders_rate.hpp"
 
+#include <fmt/format.h>
+
+#include "base/unit.hpp"
+
 namespace fingerpad {
 
 bool is_recorders_rate(double rate_hz) {
@@ -8,8 +12,11 @@ bool is_recorders_rate(double rate_hz) {
 }
 
 std::string unit_of_seconds_words(double rate_hz) {
-  constexpr double us_per_s = 1e6;
-  return is_recorders_rate(us_per_s * rate_hz) ? "--time-unit us (or ms)" : "--time-unit ms (or us)";
+  for (const TimeUnit& unit : time_units) {
+    if (unit.seconds == 1 || !is_recorders_rate(rate_hz / unit.seconds)) continue;
+    return fmt::format("--time-unit {} (or {})", unit.name, unit.name == "ms" ? "us" : "ms");
+  }
+  return "in what they are (--time-unit)";
 }
 
 }  // namespace fingerpad

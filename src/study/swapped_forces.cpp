@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <vector>
 
 #include "motion/pressed_force.hpp"
@@ -61,36 +62,58 @@ int pressing_axis(const RecordedTrial& trial) {
   return -1;
 }
 
-std::string swapped_words(int axis) {
+/// Of each trial the axis that presses instead, -1: none.
+std::vector<int> pressing_axes(FileTrials trials) {
+  std::vector<int> axes;
+  axes.reserve(trials.size());
+  for (const RecordedTrial& trial : trials) axes.push_back(pressing_axis(trial));
+  return axes;
+}
+
+std::size_t count_swapped(const std::vector<int>& axes) {
+  return static_cast<std::size_t>(std::ranges::count_if(axes, [](int axis) { return axis >= 0; }));
+}
+
+/// "x and y": those that are among them.
+std::string axis_words(const std::vector<int>& axes) {
+  std::string words;
+  for (int axis = 0; axis < 3; ++axis)
+    if (std::ranges::find(axes, axis) != axes.end())
+      words += fmt::format("{}{}", words.empty() ? "" : " and ", "xyz"[axis]);
+  return words;
+}
+
+/// @param along  axis_words
+std::string swapped_words(const std::string& along) {
   return fmt::format(
       "along the plate's normal its force changes its sign to and fro, as friction does, and along {} it "
       "presses",
-      "xyz"[axis]);
+      along);
 }
+
+constexpr std::string_view why =
+    "two columns of force are swapped, or the plate's normal is another. --columns says which is which, "
+    "--sensor-turned how the sensor stands, nx, ny, nz the normal";
 
 }  // namespace
 
 std::string swapped_forces_doubt(FileTrials trials) {
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto count = std::ranges::count(trials, axis, pressing_axis);
-    if (2 * count <= std::ssize(trials)) continue;
-    return fmt::format(
-        "{}: two columns of force are swapped, or the plate's normal is another. --columns says which is "
-        "which, --sensor-turned how the sensor stands, nx, ny, nz the normal",
-        swapped_words(axis));
-  }
-  return {};
+  const std::vector<int> axes = pressing_axes(trials);
+  if (2 * count_swapped(axes) <= axes.size()) return {};
+  return fmt::format("{}: {}", swapped_words(axis_words(axes)), why);
 }
 
 std::vector<std::string> swapped_trial_doubts(FileTrials own, const std::vector<RecordedTrial>& all) {
+  const std::vector<int> axes = pressing_axes(own);
+  const std::size_t count = count_swapped(axes);
+  if (2 * count > axes.size()) return {};
   std::vector<std::string> doubts;
-  for (const RecordedTrial& trial : own) {
-    const int axis = pressing_axis(trial);
-    if (axis < 0) continue;
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    if (axes[i] < 0) continue;
     doubts.push_back(
-        fmt::format("{}: {}, and not so in most trials of its file: two of its columns of force are swapped; "
-                    "--leave-out '{}' leaves it out",
-                    trial_name(trial), swapped_words(axis), option_name(trial, all)));
+        fmt::format("{}: {}, so in {} of the {} trials of its file: {}; --leave-out '{}' leaves it out",
+                    trial_name(own[i]), swapped_words(axis_words({axes[i]})), count, axes.size(), why,
+                    option_name(own[i], all)));
   }
   return doubts;
 }

@@ -13,8 +13,7 @@ namespace fingerpad {
 /// @returns why to refuse the file; empty where nothing is odd
 std::string swapped_forces_doubt(FileTrials trials);
 
-/// The same of single trials, where that is no more than half of their file: what to tell of each.
-/// @pre swapped_forces_doubt of the file is empty
+/// The same of single trials, where they are no more than half of their file: what to tell of each.
 std::vector<std::string> swapped_trial_doubts(FileTrials own, const std::vector<RecordedTrial>& all);
 
 }  // namespace fingerpad

@@ -99,10 +99,11 @@ bool ContactPair::holds() const {
   return std::all_of(fails.begin(), fails.end(), [](const std::string& why) { return why.empty(); });
 }
 
-bool ContactPair::gets_round() const {
-  return normals->shade != nullptr ||
-         std::all_of(errors.begin(), errors.end(),
-                     [](const ReckonedError& error) { return !(error.behind_share > 0); });
+bool ContactPair::gets_round(std::span<const ContactCase> cases) const {
+  if (!normals->shows_facets()) return true;
+  for (std::size_t i = 0; i < cases.size(); ++i)
+    if (errors[i].behind_share > cases[i].contact.force_tolerance) return false;
+  return true;
 }
 
 double ContactPair::tolerances(std::span<const ContactCase> cases, std::size_t i) const {

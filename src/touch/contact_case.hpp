@@ -60,9 +60,9 @@ struct ContactPair {
 
   bool touches_own_surface() const { return method->touches_own_surface && normals->own_surface != nullptr; }
   bool holds() const;
-  /// Whether the contact goes round every rounding with the finger: on plain facets a proxy that falls behind
-  /// there does not get round at all.
-  bool gets_round() const;
+  /// Whether the contact goes round every rounding with the finger, as far as the tolerance asks: on plain
+  /// facets a proxy that falls behind there does not get round at all.
+  bool gets_round(std::span<const ContactCase> cases) const;
   /// The error on part i in tolerances, the force's or the normals' tilt's: 1 and less are kept.
   double tolerances(std::span<const ContactCase> cases, std::size_t i) const;
   /// The largest there is.

@@ -29,12 +29,12 @@ void leave_nearly_best(Candidates& candidates, const Misses& misses) {
 }
 
 /// Where nothing keeps the tolerances. Light presses count as much as hard ones: under the hardest all may be
-/// off by the whole force, and anything would do. First by what reckoning can say; of what is alike by that,
-/// a finger gets through what does not get round with it.
+/// off by the whole force, and anything would do. First by what reckoning can say. Among equals facets on which
+/// the proxy falls behind are left out: a finger gets through there.
 void leave_least_bad(Candidates& candidates, std::span<const ContactCase> cases) {
   leave_nearly_best(candidates, [&](const ContactPair& pair) { return pair.told_misses(cases); });
-  if (std::ranges::any_of(candidates, &ContactPair::gets_round))
-    std::erase_if(candidates, [](const ContactPair* pair) { return !pair->gets_round(); });
+  const auto gets_round = [&](const ContactPair* pair) { return pair->gets_round(cases); };
+  if (std::ranges::any_of(candidates, gets_round)) std::erase_if(candidates, std::not_fn(gets_round));
   leave_nearly_best(candidates, [&](const ContactPair& pair) { return pair.misses(cases); });
 }
 

@@ -70,21 +70,26 @@ std::vector<double> way_by_some(const std::vector<double>& own, const std::vecto
   return x;
 }
 
-/// Tells a run's way and its friction as a trace of these of its ticks tells them.
-void tell_by_some(ComparedRun& run, const std::vector<TickRecord>& rows,
-                  const std::vector<std::size_t>& places, Over over) {
-  const std::vector<TickRecord> some = rows_at(rows, places);
-  for (ComparedColumn& column : run.columns) {
-    if (column.name == "friction") column.thinned = {places, friction_along_sliding(some)};
+/// Tells a run's friction as traces of some of its ticks tell it, and its way as the one of fewest does.
+/// @param fewer_t_s  of traces of some of this one's ticks; the fewest first
+void tell_by_fewer(ComparedRun& run, const std::vector<TickRecord>& rows,
+                   const std::vector<std::vector<double>>& fewer_t_s, Over over) {
+  const std::vector<double> own_x = run.x;
+  for (const std::vector<double>& by_t_s : fewer_t_s) {
+    const std::vector<std::size_t> places = places_of(by_t_s, run.t_s);
+    const std::vector<TickRecord> some = rows_at(rows, places);
+    for (ComparedColumn& column : run.columns) {
+      if (column.name == "friction") column.thinned.push_back({by_t_s, places, friction_along_sliding(some)});
+    }
+    if (over == Over::time || &by_t_s != &fewer_t_s.front()) continue;
+    run.x = way_by_some(own_x, run.t_s, abscissa(some, over), places);
+    run.x_by_fewer = true;
   }
-  if (over == Over::time) return;
-  run.x = way_by_some(run.x, run.t_s, abscissa(some, over), places);
-  run.x_by_fewer = true;
 }
 
-/// @param fewer_t_s  of a trace that has fewer ticks, perhaps some of this one's; empty: none
+/// @param fewer_t_s  as above
 ComparedRun of_trace(const std::string& path, Over over, double from_s, double to_s,
-                     const std::vector<double>& fewer_t_s) {
+                     const std::vector<std::vector<double>>& fewer_t_s) {
   Trace trace = read_trace(path, TraceContents::some_rows);
   refuse_no_rows(trace, path);
   if (over != Over::time) refuse_missing_columns(trace, path);
@@ -114,8 +119,7 @@ ComparedRun of_trace(const std::string& path, Over over, double from_s, double t
   if (!trace.missing.empty()) return run;
   run.columns.push_back({"friction", "N", friction_along_sliding(trace.rows)});
   run.rub = rub_line(trace.rows);
-  const std::vector<std::size_t> places = places_of(fewer_t_s, run.t_s);
-  if (!places.empty()) tell_by_some(run, trace.rows, places, over);
+  tell_by_fewer(run, trace.rows, fewer_t_s, over);
   return run;
 }
 
@@ -233,17 +237,21 @@ ComparedRun read_compared_run(const std::string& path, Over over, double from_s,
 std::vector<ComparedRun> read_compared_runs(const std::vector<std::string>& paths, Over over, double from_s,
                                             double to_s) {
   std::vector<ComparedRun> runs;
-  std::vector<double> fewest_t_s;
+  std::vector<std::vector<double>> all_t_s;  // the fewest first
   for (const std::string& path : paths) {
     runs.push_back(read_compared_run(path, over, from_s, to_s));
     const std::vector<double>& t_s = runs.back().t_s;
-    if (!t_s.empty() && (fewest_t_s.empty() || t_s.size() < fewest_t_s.size())) fewest_t_s = t_s;
+    if (!t_s.empty() && std::ranges::find(all_t_s, t_s) == all_t_s.end()) all_t_s.push_back(t_s);
   }
+  std::ranges::stable_sort(all_t_s, {}, [](const std::vector<double>& t_s) { return t_s.size(); });
   for (std::size_t i = 0; i < runs.size(); ++i) {
+    std::vector<std::vector<double>> fewer_t_s = all_t_s;
+    std::erase_if(fewer_t_s, [&](const auto& t_s) {
+      return t_s.size() >= runs[i].t_s.size() || places_of(t_s, runs[i].t_s).empty();
+    });
     // A stream cannot be read again.
-    const bool has_more = runs[i].t_s.size() > fewest_t_s.size() && !stream_descriptor(paths[i]);
-    if (has_more && !places_of(fewest_t_s, runs[i].t_s).empty())
-      runs[i] = of_trace(paths[i], over, from_s, to_s, fewest_t_s);
+    if (!fewer_t_s.empty() && !stream_descriptor(paths[i]))
+      runs[i] = of_trace(paths[i], over, from_s, to_s, fewer_t_s);
   }
   return runs;
 }

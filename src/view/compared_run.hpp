@@ -10,9 +10,10 @@
 
 namespace fingerpad {
 
-/// A quantity as a trace of some of the ticks tells it.
+/// A quantity as another trace tells it that has some of the ticks.
 struct ThinnedColumn {
-  std::vector<std::size_t> ticks;  ///< indices among all
+  std::vector<double> by_t_s;      ///< the other's
+  std::vector<std::size_t> ticks;  ///< indices among all of those that it has
   std::vector<double> values;      ///< one each; nan where there is none
 };
 
@@ -21,9 +22,9 @@ struct ComparedColumn {
   std::string name;            ///< as the trace calls it, or "friction" along the sliding direction
   std::string unit;            ///< "N", "m"
   std::vector<double> values;  ///< one a tick; nan where there is none
-  /// Empty where it is the same: friction along the sliding direction goes by the way from one row to the
-  /// next.
-  ThinnedColumn thinned = {};
+  /// By each such trace; empty where that tells it alike. Friction along the sliding direction goes by the
+  /// way from one row to the next.
+  std::vector<ThinnedColumn> thinned = {};
 };
 
 /// A trace, or a table of measurements, as far as it can be laid over another.

@@ -77,9 +77,10 @@ struct ComparedSeries {
 /// A column as it is laid over another run: of one that left out ticks, as such ticks tell it.
 ComparedSeries compared_series(const ComparedRun& run, const std::string& name, const ComparedRun& other) {
   const ComparedColumn& column = *column_of(run, name);
-  if (other.x.size() >= run.x.size() || column.thinned.ticks.empty()) return {run.x, run.t_s, column.values};
-  ComparedSeries series{{}, {}, column.thinned.values};
-  for (const std::size_t tick : column.thinned.ticks) {
+  const auto thinned = std::ranges::find(column.thinned, other.t_s, &ThinnedColumn::by_t_s);
+  if (thinned == column.thinned.end()) return {run.x, run.t_s, column.values};
+  ComparedSeries series{{}, {}, thinned->values};
+  for (const std::size_t tick : thinned->ticks) {
     series.x.push_back(run.x[tick]);
     series.t_s.push_back(run.t_s[tick]);
   }

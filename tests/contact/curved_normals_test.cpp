@@ -119,6 +119,55 @@ TEST(CurvedNormals, AtARimAreNearlyThoseOfTheSurfaceThatEndsThere) {
   EXPECT_GT(own_off, 0.08) << "its facets, all on one side, turn the parts' own normals there";
 }
 
+/// Two facets of a cylinder of radius 1 along its axis, of 12 and of 24 degrees, with no cylinder beside
+/// them.
+TriangleSoup strip(const Mat3& turned) {
+  constexpr double degree = M_PI / 180;
+  TriangleSoup soup = test::sheet_soup(2, 8, [](double across, double along) -> Vec3 {
+    const double angle = across < 0.25 ? 0 : across < 0.75 ? 12 * degree : 36 * degree;
+    return {std::sin(angle), along, std::cos(angle)};
+  });
+  soup.vertices_P = turned * soup.vertices_P;
+  return soup;
+}
+
+TEST(CurvedNormals, OfAStripBetweenTwoRimsTurnWithIt) {
+  const Part as_is = make_part(strip(Mat3::Identity()), crease_rad);
+  for (int i = 1; i < 8; ++i) {
+    const Mat3 turned = Eigen::AngleAxisd(0.7 * i, Vec3(1, 0.3 * i, -2).normalized()).toRotationMatrix();
+    const Part part = make_part(strip(turned), crease_rad);
+    ASSERT_EQ(part.triangle_count(), as_is.triangle_count());
+    for (int t = 0; t < part.triangle_count(); ++t)
+      for (int k = 0; k < 3; ++k)
+        ASSERT_LE((curved_corner_normal(part, t, k) - turned * curved_corner_normal(as_is, t, k)).norm(),
+                  1e-5)
+            << i;
+  }
+}
+
+// The normals between it and the fillet lean half into that; a flat strip keeps its own at its other end.
+TEST(CurvedNormals, AtTheRimOfAFlatStripBesideAFilletAreThoseOfTheStrip) {
+  constexpr int segments = 6;
+  for (const double land : {0.5, 1.0, 1.5}) {  // of a fillet's facet
+    const double facet = 2 * std::sin(M_PI / 4 / segments);
+    const Part part = make_part(test::sheet_soup(segments + 1, 10,
+                                                 [&](double across, double along) -> Vec3 {
+                                                   const long i = std::lround(across * (segments + 1));
+                                                   if (i == 0) return {1, -along, -land * facet};
+                                                   const double angle = M_PI / 2 * (i - 1) / segments;
+                                                   return {std::cos(angle), -along, std::sin(angle)};
+                                                 }),
+                                crease_rad);
+    for (int t = 0; t < part.triangle_count(); ++t) {
+      for (int k = 0; k < 3; ++k) {
+        if (place_of(part, t, k).z() > -1e-9) continue;
+        // Half a facet's turn would be 0.13.
+        EXPECT_LE((curved_corner_normal(part, t, k) - Vec3::UnitX()).norm(), land < 1 ? 0.04 : 1e-9) << land;
+      }
+    }
+  }
+}
+
 /// A cone's mantle of so many facets, whose tip is not in its middle, so that they are unlike.
 TriangleSoup leaning_cone(int facets) {
   TriangleSoup soup;

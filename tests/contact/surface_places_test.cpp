@@ -7,6 +7,9 @@
 #include <cmath>
 #include <numbers>
 #include <set>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "contact/part_measures.hpp"
 #include "contact/triangle_tree.hpp"
@@ -81,6 +84,40 @@ TEST(SurfacePlaces, GoRegionByRegion) {
     EXPECT_GE(rod.places[i].region, rod.places[i == 0 ? 0 : i - 1].region);
   }
   EXPECT_EQ(regions.size(), 4u * 8);
+}
+
+/// So many places of a region, of which the first are not told.
+void add_region(std::vector<SurfacePlace>& places, int region, int count, int untold) {
+  for (int i = 0; i < count; ++i) {
+    SurfacePlace& place = places.emplace_back();
+    place.region = region;
+    place.is_told = i >= untold;
+  }
+}
+
+TEST(SurfacePlaces, AreTakenRegionByRegion) {
+  std::vector<SurfacePlace> places;
+  for (const auto& [region, count] : {std::pair(2, 3), {5, 1}, {511, 4}})
+    add_region(places, region, count, 0);
+  std::vector<std::pair<int, std::size_t>> taken;
+  each_region(places, [&](std::span<const SurfacePlace> region) {
+    for (const SurfacePlace& place : region) EXPECT_EQ(place.region, region.front().region);
+    taken.emplace_back(region.front().region, region.size());
+  });
+  EXPECT_EQ(taken, (std::vector<std::pair<int, std::size_t>>{{2, 3}, {5, 1}, {511, 4}}));
+  each_region({}, [](std::span<const SurfacePlace>) { FAIL() << "there is none"; });
+}
+
+TEST(SurfacePlaces, TellHowManyAreNotInTheWorstRegionThatIsLargeEnough) {
+  std::vector<SurfacePlace> places;
+  EXPECT_EQ(untold_share(places), 0);
+  add_region(places, 0, 5000, 50);
+  add_region(places, 1, 1000, 400);
+  EXPECT_EQ(untold_share(places), 0.4);
+  add_region(places, 2, 2, 2);  // of 6002: less than a two-thousandth
+  EXPECT_EQ(untold_share(places), 0.4);
+  add_region(places, 3, 3, 3);
+  EXPECT_EQ(untold_share(places), 1);
 }
 
 TEST(SurfacePlaces, ABoxReachesTheRegionsOfItsPointsAndNoOther) {

@@ -44,6 +44,9 @@ TEST(MeasurementDoubts, AForgottenUnitIsAskedFor) {
               AllOf(HasSubstr("lighter than a finger rubs"), HasSubstr("--force-unit kN")));
   EXPECT_THAT(asked([](RecordedTrial& trial) { trial.rate_hz *= 1e-3; }),
               AllOf(HasSubstr("1 samples a second"), HasSubstr("--time-unit ms")));
+  EXPECT_THAT(asked([](RecordedTrial& trial) { trial.rate_hz *= 1e-6; }),
+              HasSubstr("--time-unit us (or ms)"));
+  EXPECT_THAT(asked([](RecordedTrial& trial) { trial.rate_hz *= 1e3; }), HasSubstr("say in what they are"));
   EXPECT_THAT(asked([](RecordedTrial& trial) { trial.torque_W_n_m = 12 * trial.force_W; }),
               AllOf(HasSubstr("forces 12 m from the sensor's origin"), HasSubstr("--torque-unit N.mm")));
   EXPECT_EQ(asked([](RecordedTrial& trial) { trial.torque_W_n_m = 0.012 * trial.force_W; }), "taken");
@@ -393,10 +396,30 @@ TEST(MeasurementDoubts, SwappedForcesOfSingleTrialsAreToldOfThese) {
   EXPECT_NO_THROW(refuse_doubtful(recorded, {}, 0));
   const auto told = doubts_of(recorded, {});
   EXPECT_THAT(told, testing::Contains(AllOf(HasSubstr("trial 3: along the plate's normal"),
-                                            HasSubstr("two of its columns of force are swapped"))));
+                                            HasSubstr("so in 1 of the 4 trials"),
+                                            HasSubstr("--leave-out 'trial 3'"))));
   EXPECT_EQ(
       std::ranges::count_if(told, [](const std::string& line) { return line.find("swapped") != line.npos; }),
       1);
+}
+
+TEST(MeasurementDoubts, SwappedForcesAreRefusedWhicheverColumnsAreInEachTrial) {
+  RecordedMeasurement recorded =
+      test::known_measurement({rubs[1], rubs[1], rubs[1], rubs[1]}, {}, test::bad_sensors(), 1);
+  for (std::size_t i = 0; i < recorded.trials.size(); ++i) {
+    Eigen::Matrix3Xd& forces_W = recorded.trials[i].force_W;
+    forces_W.row(i % 2 == 0 ? 0 : 1).swap(forces_W.row(2));
+  }
+  EXPECT_THAT(test::why_not([&] { refuse_doubtful(recorded, {}, 0); }), HasSubstr("presses: two columns"));
+}
+
+TEST(MeasurementDoubts, AForceAlongThePlateThatIsTheSameThroughoutIsToldOfItsTrial) {
+  RecordedMeasurement recorded =
+      test::known_measurement({rubs[1], rubs[1], rubs[1]}, {}, test::bad_sensors(), 1);
+  recorded.trials[1].force_W.topRows(2).setZero();
+  EXPECT_THAT(doubts_of(recorded, {}),
+              testing::Contains(AllOf(HasSubstr("trial 2: its force along the plate is 0 N in every sample"),
+                                      HasSubstr("--leave-out 'trial 2'"))));
 }
 
 TEST(MeasurementDoubts, NothingIsWarnedOfWhatIsAsItShouldBe) {

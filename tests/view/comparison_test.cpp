@@ -1,5 +1,6 @@
 #include "view/comparison.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -216,6 +217,25 @@ TEST(Comparison, OfARunWithItselfThinnedLeavesNothing) {
       EXPECT_EQ(std::count(comparison.notes.begin(), comparison.notes.end(), by_fewer),
                 over == Over::time ? 0 : 1);
     }
+}
+
+TEST(Comparison, OfTwoTracesIsTheSameBesideAThird) {
+  const auto folder = test::scratch_dir();
+  const ViewInput input = test::torus_rub(1.004);
+  std::vector<std::string> paths;
+  for (const std::uint64_t every : {1, 2, 20}) {
+    paths.push_back((folder / fmt::format("every{}.csv", every)).string());
+    write_some(paths.back(), input, every);
+  }
+  constexpr double all = std::numeric_limits<double>::infinity();
+  for (const Over over : {Over::time, Over::travel}) {
+    const Comparison comparison = compare_runs(read_compared_runs(paths, over, 0, all), {"friction"}, over);
+    ASSERT_EQ(comparison.residuals.size(), 2u);
+    for (const Residual& left : comparison.residuals) {
+      EXPECT_EQ(left.rms, 0) << left.run;
+      EXPECT_GT(left.ticks, 40u);
+    }
+  }
 }
 
 // At another rate the finger passes other places of its way, so that none stands at a tick of both.
