@@ -29,8 +29,8 @@ void leave_nearly_best(Candidates& candidates, const Misses& misses) {
 }
 
 /// Where nothing keeps the tolerances. Light presses count as much as hard ones: under the hardest all may be
-/// off by the whole force, and anything would do. First by what reckoning can say. Among equals facets on which
-/// the proxy falls behind are left out: a finger gets through there.
+/// off by the whole force, and anything would do. First by what reckoning can say. Among equals facets on
+/// which the proxy falls behind are left out: a finger gets through there.
 void leave_least_bad(Candidates& candidates, std::span<const ContactCase> cases) {
   leave_nearly_best(candidates, [&](const ContactPair& pair) { return pair.told_misses(cases); });
   const auto gets_round = [&](const ContactPair* pair) { return pair->gets_round(cases); };
