@@ -99,11 +99,21 @@ Beside beside_rim(const FanTables& shared, PartCorner at) noexcept {
           smoothstep(even, even / 2, unevenness(shared, fan, shape))};
 }
 
+/// Whether a normal leans off none of a fan's facets by more than others of it do.
+bool leans_as_facets_do(std::span<const FanFacet> fan, const Vec3& normal) noexcept {
+  return std::ranges::all_of(fan, [&](const FanFacet& facet) {
+    double most = 0;
+    for (const FanFacet& other : fan) most = std::max(most, (facet.normal - other.normal).norm());
+    return (facet.normal - normal).norm() <= most;
+  });
+}
+
 /// The normal n of an open fan, whose own leans towards its facets, all on one side of the vertex. Along an
 /// edge e to a vertex whose fan is closed, with normal m, an arc of a circle has (n + m) e = 0: n is the own
 /// normal with the least turn that comes nearest to that, in least squares over such edges. What an m is
 /// unsure of is not taken for a lack, nor is what it is not trusted with, and the turn is no larger than such
-/// normals differ from the own.
+/// normals differ from the own, nor than lets it lean as the facets do (Proxy promises that of what it
+/// shades).
 /// @param normal  own_normal
 Vec3 rim_normal(const FanTables& shared, std::span<const FanFacet> fan, const Vec3& normal) noexcept {
   const Vec3 u = normal.unitOrthogonal(), v = normal.cross(u);
@@ -132,8 +142,13 @@ Vec3 rim_normal(const FanTables& shared, std::span<const FanFacet> fan, const Ve
   const double across = smoothstep(one_way, two_ways, said[0] / said[1]);
   if (across > 0)
     turn += across * ways.eigenvectors().col(0).dot(lacks) / said[0] * ways.eigenvectors().col(0);
-  const double scale = turn.norm() > most ? most / turn.norm() : 1;
-  return unit_or_zero(normal + scale * (turn[0] * u + turn[1] * v));
+  const Vec3 whole = (turn.norm() > most ? most / turn.norm() : 1) * (turn[0] * u + turn[1] * v);
+  const auto turned = [&](double share) -> Vec3 { return unit_or_zero(normal + share * whole); };
+  if (leans_as_facets_do(fan, turned(1))) return turned(1);
+  double share = 0;
+  for (double step = 0.5; step > 1e-6; step /= 2)
+    if (leans_as_facets_do(fan, turned(share + step))) share += step;
+  return turned(share);
 }
 
 /// By all that is known of the fan; zero where that is nothing.

@@ -397,7 +397,7 @@ TEST(MeasurementDoubts, SwappedForcesOfSingleTrialsAreToldOfThese) {
   const auto told = doubts_of(recorded, {});
   EXPECT_THAT(told, testing::Contains(AllOf(HasSubstr("trial 3: along the plate's normal"),
                                             HasSubstr("so in 1 of the 4 trials"),
-                                            HasSubstr("--leave-out 'trial 3'"))));
+                                            HasSubstr("--leave-out 'subject 1, trial 3'"))));
   EXPECT_EQ(
       std::ranges::count_if(told, [](const std::string& line) { return line.find("swapped") != line.npos; }),
       1);
@@ -419,7 +419,7 @@ TEST(MeasurementDoubts, AForceAlongThePlateThatIsTheSameThroughoutIsToldOfItsTri
   recorded.trials[1].force_W.topRows(2).setZero();
   EXPECT_THAT(doubts_of(recorded, {}),
               testing::Contains(AllOf(HasSubstr("trial 2: its force along the plate is 0 N in every sample"),
-                                      HasSubstr("--leave-out 'trial 2'"))));
+                                      HasSubstr("--leave-out 'subject 1, trial 2'"))));
 }
 
 TEST(MeasurementDoubts, NothingIsWarnedOfWhatIsAsItShouldBe) {
