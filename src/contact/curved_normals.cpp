@@ -136,7 +136,7 @@ Vec3 rim_normal(const FanTables& shared, std::span<const FanFacet> fan, const Ve
   // Across a single edge, or several that are nearly one, nothing is said.
   constexpr double one_way = 0.02, two_ways = 0.1;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> ways(sums);
-  const Eigen::Vector2d said = ways.eigenvalues();
+  const Eigen::Vector2d& said = ways.eigenvalues();
   if (!(said[1] > 0)) return normal;
   Eigen::Vector2d turn = ways.eigenvectors().col(1).dot(lacks) / said[1] * ways.eigenvectors().col(1);
   const double across = smoothstep(one_way, two_ways, said[0] / said[1]);
