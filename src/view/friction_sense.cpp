@@ -38,7 +38,7 @@ void tell_along(ComparedRun& run, const Vec3& line_W) {
   if (friction == run.columns.end()) return;
   for (std::size_t i = 0; i < friction->values.size(); ++i)
     friction->values[i] = Vec3(parts[0]->values[i], parts[1]->values[i], parts[2]->values[i]).dot(line_W);
-  friction->thinned = {};  // no way goes into it, so ticks that are left out change nothing
+  friction->thinned.clear();  // no way goes into it, so ticks that are left out change nothing
 }
 
 FrictionSense sense_along(const Vec3& line_W) {
