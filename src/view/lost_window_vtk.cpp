@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <csignal>
 #include <utility>
 
 namespace fingerpad {
@@ -13,12 +14,28 @@ namespace {
 std::atomic<std::uintptr_t> watched_window{0};
 std::function<void()> window_ending;
 std::atomic_flag window_ends;
+std::atomic<pid_t> saving_thread{0};
 XErrorHandler other_errors = nullptr;
 XIOErrorHandler other_connection_errors = nullptr;
 
+/// The threads that draw may fail of what is gone, before X tells them of it: they must not take with them
+/// what is being saved. As long as that can take, and no longer: they may hold a lock that it waits for.
+void fail_later(int signal) {
+  constexpr int saved_within_s = 10;
+  if (gettid() != saving_thread) {
+    for (unsigned left_s = saved_within_s; left_s > 0;) left_s = sleep(left_s);
+  }
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+}
+
 /// Once. A thread that comes second waits here for the program's end: what it draws into is gone.
 [[noreturn]] void end_without_window() {
-  if (!window_ends.test_and_set()) window_ending();
+  if (!window_ends.test_and_set()) {
+    saving_thread = gettid();
+    for (const int failure : {SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV}) std::signal(failure, fail_later);
+    window_ending();
+  }
   for (;;) pause();
 }
 
