@@ -65,12 +65,18 @@ SurfacePlace untold_place(const Part& part, int t, const Vec3& b) {
   return place;
 }
 
-/// @param b  barycentric coordinates of the place on triangle t
-SurfacePlace place_on(const TriangleTree& tree, int t, const Vec3& b, double trusted_height_m) {
+/// A triangle on which places lie.
+struct PlacedOn {
+  int triangle = -1;
+  double width_m = 0;
+  CurvedPatch patch;  ///< where it is wide enough to tell of the surface
+};
+
+/// @param b  barycentric coordinates of the place on the triangle
+SurfacePlace place_on(const TriangleTree& tree, const PlacedOn& on_triangle, const Vec3& b) {
   const Part& part = tree.part();
-  const double width_m = shape_of(part, t).height_m;
-  if (!(width_m > trusted_height_m)) return untold_place(part, t, b);
-  const CurvedPatch patch = curved_patch({part, tree.curved_normals()}, t);
+  const int t = on_triangle.triangle;
+  const CurvedPatch& patch = on_triangle.patch;
   const Vec3 facet = part.facet_normals.col(t);
   SurfacePlace place;
   const Vec3 curved = shown_normal(patch, b, facet);
@@ -90,12 +96,33 @@ SurfacePlace place_on(const TriangleTree& tree, int t, const Vec3& b, double tru
     place.curvature_per_m = curvature_along(patch, leaning);
     place.across_per_m = curvature_along(patch, facet.cross(leaning));
   }
-  place.width_m = width_m;
+  place.width_m = on_triangle.width_m;
   if (!std::isfinite(place.sag_m + place.curvature_per_m + place.across_per_m)) place = {};
   place.triangle = t;
   place.region = region_of(part, flat);
   return place;
 }
+
+/// The corners' normals of patches at so many places: all of them, where that is quicker than those of each
+/// patch by themselves, which share none of what their fans have in common.
+class NormalsForPlaces {
+ public:
+  NormalsForPlaces(const TriangleTree& tree, std::size_t places) : part_(tree.part()) {
+    constexpr std::size_t triangles_a_place = 64;
+    if (tree.curved_normals() != nullptr) {
+      table_ = tree.curved_normals();
+    } else if (static_cast<std::size_t>(part_.triangle_count()) < triangles_a_place * places) {
+      own_ = curved_corner_normals(part_);
+      table_ = &own_;
+    }
+  }
+  CornerNormals operator()() const noexcept { return {part_, table_}; }
+
+ private:
+  const Part& part_;
+  Points own_;
+  const Points* table_ = nullptr;
+};
 
 /// Which of the cubes along each axis a point of the part lies in.
 std::array<int, 3> cube_of(const Part& part, const Vec3& x) noexcept {
@@ -156,13 +183,18 @@ std::vector<SurfacePlace> surface_places(const TriangleTree& tree, double truste
   }
   const std::size_t count = std::min(most_places, most_per_triangle * sums_m2.size());
   std::vector<SurfacePlace> places(sum_m2 > 0 ? count : 0);
+  const NormalsForPlaces normals(tree, places.size());
   tbb::parallel_for(
       tbb::blocked_range<std::size_t>(0, places.size(), 256),
       [&](const tbb::blocked_range<std::size_t>& range) {
+        PlacedOn on;  // those of a triangle follow one another
         for (std::size_t i = range.begin(); i != range.end(); ++i) {
           const double wanted_m2 = sum_m2 * (static_cast<double>(i) + 0.5) / static_cast<double>(count);
           const auto found = std::upper_bound(sums_m2.begin(), sums_m2.end() - 1, wanted_m2);
-          places[i] = place_on(tree, static_cast<int>(found - sums_m2.begin()), spread(i), trusted_height_m);
+          const int t = static_cast<int>(found - sums_m2.begin());
+          const bool is_told = shape_of(part, t).height_m > trusted_height_m;
+          if (is_told && t != on.triangle) on = {t, shape_of(part, t).height_m, curved_patch(normals(), t)};
+          places[i] = is_told ? place_on(tree, on, spread(i)) : untold_place(part, t, spread(i));
         }
       });
   return by_region(places);
