@@ -6,6 +6,7 @@ namespace fingerpad {
 namespace {
 
 constexpr double cos_one_wall = 0.8660254037844387;  // 30 degrees, as creases are told by default
+constexpr double most_wedged = 10;                   // of the push: in a wedge of 5.7 degrees to either side
 
 /// Takes `from` onto `to` (both unit): by the smallest rotation, two reflections. Where that would be more
 /// than a right angle, by one: then `from` is what little is left of pushes that all but cancel, and walls
@@ -33,6 +34,10 @@ class Turn {
 /// scale above two is taken from that, the less of its direction the less there is, and what is then missing
 /// is added by shares. So, in a contact that is no deeper than its shares together, no hold pushes by more
 /// than four times its own.
+///
+/// Nor are such walls driven apart without bound: a rigid ball in a wedge of half-angle beta pushes its walls
+/// by 1/sin(beta) of what presses it in, a sliver's two sides by a thousand times, and friction with them. A
+/// pad gives way there. Beyond `most_wedged` only so much is kept, and the rest too is added by shares.
 class SharedPush {
  public:
   /// @param sum_m  of the holds' shares along their shaded normals
@@ -40,15 +45,15 @@ class SharedPush {
       : turn_(direction_of(sum_m, contact.normal_W), contact.normal_W) {
     constexpr double largest = 2;
     const double length_m = sum_m.norm(), depth_m = contact.depth_m;
-    if (depth_m <= largest * length_m) {
-      scale_ = depth_m / length_m;
-      return;
-    }
-    told_ = largest * length_m / depth_m;
-    scale_ = largest;
     double shares_m = 0;
     for (int i = 0; i < contact.hold_count; ++i)
       shares_m += contact.holds[static_cast<std::size_t>(i)].share_m;
+    const bool is_told = depth_m <= largest * length_m;
+    scale_ = is_told ? depth_m / length_m : largest;
+    const double wedged = scale_ * shares_m / depth_m;
+    if (is_told && wedged <= most_wedged) return;
+    told_ = is_told ? 1 : largest * length_m / depth_m;
+    scale_ *= std::min(1.0, most_wedged / wedged);
     missing_per_share_ = (depth_m * contact.normal_W - scale_ * turned(sum_m)) / shares_m;
   }
 

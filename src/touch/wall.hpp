@@ -43,7 +43,8 @@ inline double spring_force_n(const Wall& wall, const Wall& greatest, const Surfa
 
 /// The walls of a contact. Holds of one surface whose normals are within 30 degrees are one wall. Where the
 /// contact's normal is shaded, the holds' normals turn with it, so that their pushes sum up to its depth
-/// along its normal. Of walls that all but face each other none pushes by more than four times its share.
+/// along its normal. Of walls that all but face each other none pushes by more than four times its share,
+/// and all together by no more than some ten times the contact's depth.
 /// @param walls  written up to its count; the caller keeps it from tick to tick, as making three anew costs
 /// time
 /// @pre contact.hold_count > 0. noexcept, allocates nothing.

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <cmath>
 #include <utility>
 
 #include "touch/wall.hpp"
@@ -70,6 +71,29 @@ TEST(Walls, ThatFaceEachOtherPushByABoundedShareThatJumpsNowhere) {
       ASSERT_LT((walls.walls[i].push_m - before.walls[i].push_m).norm(), 0.02 * share_m) << rise;
     }
     before = walls;
+  }
+}
+
+// A rigid ball in a wedge drives its sides apart by 1/sin(half-angle) of what presses it in: a sliver's two
+// sides, a tenth of a degree off each other, held it with 872 N where 1.7 N pressed, and friction with it.
+TEST(Walls, OfAWedgePushAsItsAngleSaysUpToTenTimesWhatPresses) {
+  constexpr double depth_m = 0.5e-3;
+  double last_m = depth_m;
+  for (double degrees = 90; degrees > 1e-3; degrees *= 0.999) {
+    const double sine = std::sin(degrees * EIGEN_PI / 180), cosine = std::cos(degrees * EIGEN_PI / 180);
+    Contact contact = between_two({cosine, 0, sine}, {-cosine, 0, sine}, Vec3::UnitZ());
+    for (std::size_t i = 0; i < 2; ++i) contact.holds[i].share_m = depth_m / (2 * sine);
+    Walls walls;
+    find_walls(contact, walls);
+    ASSERT_LT((push_of(walls) - depth_m * Vec3::UnitZ()).norm(), 1e-13) << degrees;
+    double pushed_m = 0;
+    for (const Wall& wall : walls) pushed_m += wall.share_m;
+    if (sine >= 0.1 && walls.count == 2) {
+      ASSERT_NEAR(pushed_m, depth_m / sine, 1e-12) << degrees;
+    }
+    ASSERT_LE(pushed_m, 11 * depth_m) << degrees;
+    ASSERT_LT(std::abs(pushed_m - last_m), 0.002 * pushed_m) << degrees;
+    last_m = pushed_m;
   }
 }
 
