@@ -87,10 +87,18 @@ ComparedSeries compared_series(const ComparedRun& run, const std::string& name, 
   return series;
 }
 
+/// What lies nearer in a series is one place: two runs sum the same way, and differ by rounding.
+double rounding_of(const std::vector<double>& x) {
+  return 1e-9 * (x.back() - x.front());
+}
+
 /// The value at x, linearly between the ticks beside it; of several ticks at x, as of a finger that rests,
 /// that of the nearest time; nan before the first and after the last.
+/// @pre the series is not empty
 double value_at(const ComparedSeries& series, double x, double t_s) {
-  const auto [from, to] = std::equal_range(series.x.begin(), series.x.end(), x);
+  const double off = rounding_of(series.x);
+  const auto from = std::lower_bound(series.x.begin(), series.x.end(), x - off);
+  const auto to = std::upper_bound(from, series.x.end(), x + off);
   const auto first = static_cast<std::size_t>(from - series.x.begin());
   const auto beyond = static_cast<std::size_t>(to - series.x.begin());
   if (beyond > first) {
@@ -161,9 +169,12 @@ Residual residual_of(const std::string& name, const ComparedRun& first, const Co
 
 /// Whether both have all ticks at which they are compared, so that nothing is interpolated.
 bool are_shared(const CommonTicks& ticks) {
+  const std::vector<double>& other = ticks.between->x;
+  const double off = rounding_of(other);
   return std::all_of(ticks.grid->x.begin(), ticks.grid->x.end(), [&](double x) {
-    return x < ticks.from || x > ticks.to ||
-           std::binary_search(ticks.between->x.begin(), ticks.between->x.end(), x);
+    if (x < ticks.from || x > ticks.to) return true;
+    const auto near = std::lower_bound(other.begin(), other.end(), x - off);
+    return near != other.end() && *near <= x + off;
   });
 }
 
@@ -175,10 +186,11 @@ std::string span_words(const CommonTicks& ticks, Over over) {
 
 /// At which ticks a run is compared with the first; empty where both have the same.
 std::string ticks_words(const ComparedRun& first, const ComparedRun& other, const CommonTicks& ticks) {
-  if (first.x == other.x) return "";
+  const bool shared = are_shared(ticks);
+  if (shared && first.x.size() == other.x.size()) return "";
   if (ticks.grid == &other)
-    return std::string("at its own ticks") + (are_shared(ticks) ? "" : ", the first interpolated linearly");
-  return are_shared(ticks) ? "at the ticks of the first" : "interpolated linearly at the ticks of the first";
+    return std::string("at its own ticks") + (shared ? "" : ", the first interpolated linearly");
+  return shared ? "at the ticks of the first" : "interpolated linearly at the ticks of the first";
 }
 
 /// Runs of which the same is told.
