@@ -14,7 +14,6 @@
 #include "app/unit_option.hpp"
 #include "base/count_words.hpp"
 #include "base/error.hpp"
-#include "base/input_file.hpp"
 #include "base/number_text.hpp"
 #include "base/printable_text.hpp"
 #include "contact/overlap.hpp"
@@ -164,7 +163,7 @@ void tell_overlaps(const Scene& scene, const std::string& path, std::vector<Plac
 
 /// Reads what the finger follows, if anything: refuses, or tells, what replay would.
 void look_at_motion(const Scene& scene) {
-  if (!scene.motion.given() || stream_descriptor(scene.motion.file_path)) return;  // a stream is read once
+  if (!scene.motion.given()) return;
   for (const std::string& warning : load_motion(scene).warnings)
     print_err("fingerpad: warning: {}\n", warning);
 }
@@ -175,7 +174,7 @@ void look_at_finger_and_motion(const Scene& scene, const World& measured) {
   refuse_huge_finger(measured, scene);
   look_at_motion(scene);
   if (const std::string hint = finger_hint(measured, scene); !hint.empty())
-    print_err("fingerpad: {}\n", hint);
+    print_err("fingerpad: warning: {}\n", hint);
 }
 
 /// The parts of a scene, of a set those of its first job, each as the scene takes it and where it places it.
@@ -239,7 +238,11 @@ int check(const CheckOptions& options) {
     try {
       all_touchable &= check_scene(path, options.json, report);
     } catch (const Error& error) {  // the others are looked at all the same
-      if (options.json) report.push_back({{"file", path}, {"touchable", false}, {"error", error.what()}});
+      if (options.json) {
+        report.push_back({{"file", path}, {"touchable", false}, {"error", error.what()}});
+      } else {
+        print_out("{}: refused\n", path);  // whatever was said of its meshes
+      }
       if (refused) print_err("fingerpad: error: {}\n", refused->what());
       refused = error;
     }

@@ -222,11 +222,12 @@ TEST(Refusals, OfAMotionAreTheSameForCheckAndReplay) {
   std::ofstream(folder / "mesh.csv") << "solid box\nendsolid box\n";
   std::ofstream(folder / "rub.csv") << "t_s,x_m,y_m,z_m\n0,0,0,0\n0.001,0,0,0\n0.002,0.5,0,0\n0.002,0,0,0\n";
   for (const char* motion : {"file = \"folder.csv\"", "file = \"mesh.csv\"", "file = \"box.stl\"",
-                             "file = \"rub.csv\"\ncolumns = { x = \"across\" }"}) {
+                             "file = \"-\"", "file = \"rub.csv\"\ncolumns = { x = \"across\" }"}) {
     std::ofstream(folder / "s.toml") << "[[part]]\nmesh = \"box.stl\"\nunit = \"mm\"\n[motion]\n"
                                      << motion << "\n";
     const ShellResult check = test::fingerpad("check s.toml", folder);
     EXPECT_EQ(check.exit_code, 3) << motion;
+    EXPECT_THAT(check.out, testing::EndsWith("s.toml: refused\n")) << motion;
     const ShellResult replay = test::fingerpad("replay s.toml --out o", folder);
     EXPECT_EQ(replay.exit_code, 3) << motion;
     EXPECT_EQ(check.err, replay.err) << motion;
