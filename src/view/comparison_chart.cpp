@@ -86,8 +86,8 @@ void add_column_panels(Chart& chart, const Comparison& comparison, const std::st
   }
   chart.panels.push_back(std::move(values));
   if (comparison.runs.size() < 2) return;
-  ChartPanel left = panel_of(fmt::format("residual of {} [{}]", name, shown.unit),
-                             fmt::format("residual [{}]", shown.unit), over);
+  // Of what is above it, whatever room there is for words.
+  ChartPanel left = panel_of(fmt::format("residual [{}]", shown.unit), "", over);
   for (const Residual& residual : comparison.residuals) {
     if (residual.column != name) continue;
     const std::string name = names_once ? "" : comparison.runs[residual.run].name + ": ";
@@ -95,20 +95,24 @@ void add_column_panels(Chart& chart, const Comparison& comparison, const std::st
     left.curves.push_back(
         {legend, style_of(residual.run), residual.x, scaled_by(residual.values, shown.factor)});
   }
-  left.y_from_zero = true;
+  left.levels.push_back({"", 0});  // within the panel, where nothing is left at all too
   chart.panels.push_back(std::move(left));
 }
 
-/// What all runs have in common, or else what each is called.
+/// What all runs have in common, or else what each is called: "bracket, knob, housing and 3 more".
 std::string title_of(const std::vector<ComparedRun>& runs) {
   constexpr std::size_t most = 3;
   for (const auto member : {&ComparedRun::title, &ComparedRun::scene}) {
     const auto same = [&](const ComparedRun& run) { return run.*member == runs[0].*member; };
     if (std::all_of(runs.begin(), runs.end(), same)) return runs[0].*member;
   }
-  std::string title = runs[0].title;
-  for (std::size_t i = 1; i < std::min(runs.size(), most); ++i) title += " and " + runs[i].title;
-  return runs.size() > most ? title + ", ..." : title;
+  const std::size_t named = runs.size() > most + 1 ? most : runs.size();
+  std::string title = runs[0].scene;
+  for (std::size_t i = 1; i < named; ++i) {
+    const bool is_last = i + 1 == runs.size();
+    title += (is_last ? " and " : ", ") + runs[i].scene;
+  }
+  return named < runs.size() ? fmt::format("{} and {} more", title, runs.size() - named) : title;
 }
 
 }  // namespace

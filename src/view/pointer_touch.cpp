@@ -15,16 +15,25 @@ PointerTouch::PointerTouch(const TouchWindowInput& input, TouchTarget target, Fi
 
 void PointerTouch::show(PointedScene shown) {
   const std::lock_guard lock(mutex_);
-  const Box before = shown_.scene;
-  shown_ = std::move(shown);
-  const bool resized = before.width != shown_.scene.width || before.height != shown_.scene.height;
-  if (!resized || !held_ || over_) return;
-  // X told where the pointer is in the new window before there was a frame of it: it was looked for in the
-  // old one, and missed the part.
+  const PointedScene before = std::exchange(shown_, std::move(shown));
+  if (!looks_anew(before) || is_on_panel(last_px_.x(), last_px_.y())) return;
   over_ = point_at(last_px_.x(), last_px_.y());
   if (!over_) return;
   press();
   tell(told_s_);
+}
+
+/// Whether what lies under a pointer that rests is to be looked for again.
+bool PointerTouch::looks_anew(const PointedScene& before) const {
+  const bool resized = before.scene.width != shown_.scene.width || before.scene.height != shown_.scene.height;
+  // X told where the pointer is in the new window before there was a frame of it: it was looked for in the
+  // old one, and missed the part.
+  if (held_) return resized && !over_;
+  // A key has turned the view. A finger that presses stays, and one that keys led.
+  const SightLines &then = before.lines, &now = shown_.lines;
+  const bool looks_on = then.near_mm == now.near_mm && then.far_mm == now.far_mm &&
+                        then.right_mm == now.right_mm && then.up_mm == now.up_mm;
+  return !looks_on && !latched_ && !turns_view_ && !led_by_keys_;
 }
 
 bool PointerTouch::is_on_panel(double x_px, double y_px) const {
@@ -38,7 +47,10 @@ bool PointerTouch::take(const InputEvent& event) {
   const std::lock_guard lock(mutex_);
   const bool hit = event.kind != InputEvent::Kind::key && is_on_panel(event.x_px, event.y_px);
   bool taken = false;
-  if (event.kind != InputEvent::Kind::key) last_px_ = {event.x_px, event.y_px};
+  if (event.kind != InputEvent::Kind::key) {
+    last_px_ = {event.x_px, event.y_px};
+    led_by_keys_ = false;
+  }
   switch (event.kind) {
     case InputEvent::Kind::key: {
       const auto action = action_of(event.key, touch_window_kind(input_));
@@ -86,11 +98,13 @@ bool PointerTouch::take_key(KeyAction action, double t_s) {
     case KeyAction::go_right:
       target_.move_by(action == KeyAction::go_left ? Vec3(-right_m) : right_m, shown_.towards_eye_W,
                       shown_.finger_W);
+      led_by_keys_ = true;
       break;
     case KeyAction::go_up:
     case KeyAction::go_down:
       target_.move_by(action == KeyAction::go_down ? Vec3(-up_m) : up_m, shown_.towards_eye_W,
                       shown_.finger_W);
+      led_by_keys_ = true;
       break;
     case KeyAction::harder:
     case KeyAction::softer:

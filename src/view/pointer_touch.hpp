@@ -38,6 +38,7 @@ class PointerTouch {
 
  private:
   bool take_key(KeyAction action, double t_s);
+  bool looks_anew(const PointedScene& before) const;
   bool point_at(double x_px, double y_px);
   void press();
   void tell(double t_s);
@@ -52,6 +53,7 @@ class PointerTouch {
   bool turns_view_ = false;
   bool on_panel_ = false, beside_panels_ = false;  ///< where the button is held that was pressed there
   double told_s_ = 0;
+  bool led_by_keys_ = true;      ///< since the pointer moved last, or ever
   Vec2 last_px_ = Vec2::Zero();  ///< where the pointer was
 };
 

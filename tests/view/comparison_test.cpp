@@ -322,6 +322,31 @@ TEST(Comparison, OfManyRunsNamesEachOnceAndTellsItsResidualsShortly) {
   EXPECT_THAT(legends_of(3)[3], ElementsAre("b: RMS 0", "c: RMS 0")) << "few are named everywhere";
 }
 
+TEST(Comparison, IsTitledByItsScenesWhereTheyDiffer) {
+  std::vector<ComparedRun> runs;
+  const auto title = [&] { return comparison_chart(compare_runs(runs, {}, Over::time), Over::time).title; };
+  for (const char* scene : {"knob", "plate", "rim", "bore", "slot"}) {
+    runs.push_back(line_run(std::string(scene) + ".h5", 0, 1, 0.1, 0));
+    runs.back().scene = scene;
+    runs.back().title = std::string(scene) + ": part.stl";
+    if (runs.size() == 2) {
+      EXPECT_EQ(title(), "knob and plate");
+    }
+    if (runs.size() == 4) {
+      EXPECT_EQ(title(), "knob, plate, rim and bore");
+    }
+  }
+  EXPECT_EQ(title(), "knob, plate, rim and 2 more");
+}
+
+// Alike to the last bit, a curve lay on the panel's frame.
+TEST(Comparison, DrawsZeroInTheMiddleWhereNothingIsLeft) {
+  const ComparedRun run = line_run("a.h5", 0, 1, 0.1, 0);
+  const Chart chart = comparison_chart(compare_runs({run, run}, {}, Over::time), Over::time);
+  const ChartLayout layout = stacked_layout(chart, {0, 0, 800, 600}, 12);
+  EXPECT_NEAR(layout.panels[1].y.share(0), 0.5, 1e-12);
+}
+
 TEST(ComparedRun, OfATableHasItsMeasuredColumns) {
   const auto folder = test::scratch_dir();
   std::ofstream(folder / "rub.csv") << "t_s;x_m;fx_n;note\n0;0;0,5;1\n0,1;1;0,75;2\n";
@@ -412,7 +437,7 @@ TEST(Comparison, TellsTheFrictionOfAllRunsAlike) {
   const Chart chart = comparison_chart(alike, Over::time);
   EXPECT_EQ(chart.panels[0].y_label, "friction along x (+ pushes towards +x) [N]");
   EXPECT_EQ(chart.panels[0].short_y_label, "friction x [N]");
-  EXPECT_EQ(chart.panels[1].short_y_label, "residual [N]");
+  EXPECT_EQ(chart.panels[1].y_label, "residual [N]");
 
   const Comparison across = compared(x, y);
   EXPECT_EQ(across.friction.along, "sliding");

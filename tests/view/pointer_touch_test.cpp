@@ -93,6 +93,38 @@ TEST(PointerTouch, AHeldFingerPressesOnInAWindowThatIsMadeLargerAgain) {
   EXPECT_FALSE(over.pointer.pressing()) << "let go";
 }
 
+// A key turns the view under a mouse that rests: the finger stayed where it was until that moved.
+TEST(PointerTouch, AHoveringFingerStaysUnderThePointerWhereTheViewTurns) {
+  OverFloor over;
+  const auto look_from_x = [&](double x_mm) {
+    over.pointer.show({{0, 0, 200, 200},
+                       {{0, 150, 50, 50}},
+                       {Vec3(x_mm, 0, 10), Vec3(x_mm, 0, -10), Vec3::UnitX(), Vec3::UnitY()}});
+  };
+  look_from_x(10);
+  EXPECT_TRUE(over.told.empty()) << "there was no pointer yet";
+  over.take(Kind::move, 20, 30, 1);
+  EXPECT_NEAR(over.told.back().p_WQ.x(), 0.03, 1e-12);
+  look_from_x(40);
+  EXPECT_NEAR(over.told.back().p_WQ.x(), 0.06, 1e-12);
+  EXPECT_EQ(over.told.back().t_s, 1);
+  const std::size_t told = over.told.size();
+  look_from_x(40);
+  EXPECT_EQ(over.told.size(), told) << "no other view";
+  over.take(Kind::move, 20, 160, 2);
+  look_from_x(10);
+  EXPECT_NEAR(over.told.back().p_WQ.x(), 0.06, 1e-12) << "on a panel";
+  over.take(Kind::move, 20, 30, 3);
+  over.key("space", 4);
+  look_from_x(40);
+  EXPECT_NEAR(over.told.back().p_WQ.x(), 0.03, 1e-12) << "what presses stays";
+  over.key("space", 5);
+  over.key("Right", 6);
+  const double led_m = over.told.back().p_WQ.x();
+  look_from_x(10);
+  EXPECT_EQ(over.told.back().p_WQ.x(), led_m) << "keys led it";
+}
+
 TEST(PointerTouch, AButtonPressedBesideThePartIsTheViewsUntilItIsLetGo) {
   OverFloor over;
   EXPECT_FALSE(over.take(Kind::press, 150, 30, 1));
