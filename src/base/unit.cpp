@@ -38,11 +38,12 @@ struct Spelling {
   std::string_view written, name;
 };
 constexpr Spelling spellings[] = {
-    {"sec", "s"},          {"second", "s"}, {"seconds", "s"}, {"msec", "ms"},    {"usec", "us"},
-    {"metre", "m"},        {"metres", "m"}, {"meter", "m"},   {"meters", "m"},   {"millimetres", "mm"},
-    {"millimeters", "mm"}, {"newton", "N"}, {"newtons", "N"}, {"\u00b5s", "us"}, {"\u03bcs", "us"},
-    {"\xb5s", "us"},       {"inch", "in"},  {"Nm", "N.m"},    {"N m", "N.m"},    {"N*m", "N.m"},
-    {"N\u00b7m", "N.m"},   {"Nmm", "N.mm"}, {"N mm", "N.mm"}, {"N*mm", "N.mm"},  {"N\u00b7mm", "N.mm"}};
+    {"sec", "s"},     {"second", "s"},   {"seconds", "s"},      {"msec", "ms"},        {"usec", "us"},
+    {"nsec", "ns"},   {"minute", "min"}, {"minutes", "min"},    {"metre", "m"},        {"metres", "m"},
+    {"meter", "m"},   {"meters", "m"},   {"millimetres", "mm"}, {"millimeters", "mm"}, {"newton", "N"},
+    {"newtons", "N"}, {"\u00b5s", "us"}, {"\u03bcs", "us"},     {"\xb5s", "us"},       {"inch", "in"},
+    {"Nm", "N.m"},    {"N m", "N.m"},    {"N*m", "N.m"},        {"N\u00b7m", "N.m"},   {"Nmm", "N.mm"},
+    {"N mm", "N.mm"}, {"N*mm", "N.mm"},  {"N\u00b7mm", "N.mm"}};
 
 /// "mm/s" of "mm s^-1", "mm.s-1" and the like; any other word as it is.
 std::string with_stroke(std::string_view word) {

@@ -21,7 +21,8 @@ struct TimeUnit {
   std::string_view name;
   double seconds;
 };
-inline constexpr std::array<TimeUnit, 3> time_units{{{"s", 1}, {"ms", 1e-3}, {"us", 1e-6}}};
+inline constexpr std::array<TimeUnit, 5> time_units{
+    {{"s", 1}, {"ms", 1e-3}, {"us", 1e-6}, {"ns", 1e-9}, {"min", 60}}};
 
 /// What one unit of a measured force may be.
 struct ForceUnit {
@@ -47,7 +48,7 @@ std::string_view quantity_words(Quantity quantity) noexcept;
 std::optional<double> si_per_unit(Quantity quantity, std::string_view word);
 /// What units above call the unit that people write so: "us" of a time's "µs"; any other word as it is.
 std::string_view listed_unit(Quantity quantity, std::string_view word);
-/// "s, ms, us".
+/// "s, ms, us, ns, min".
 std::string unit_list(Quantity quantity);
 
 /// The names of length_units, in that order.

@@ -29,7 +29,7 @@ class ProxyWorld {
   const Part& part(int i) const noexcept { return surface(i).tree->part(); }
   Normals normals() const noexcept { return normals_; }
   /// Whether facets stand for a smooth surface, with normals of its own.
-  bool is_shaded() const noexcept { return normals_->shade != nullptr; }
+  bool is_shaded() const noexcept { return !normals_->shows_facets(); }
 
   const Vec3& p_WO() const noexcept { return p_WO_; }
   /// The largest distance from O's origin to a part's far end [m]; 0 without parts.

@@ -95,7 +95,7 @@ SurfacePoint surface_point_at(const TriangleTree& tree, const ClosestTriangle& f
 
 Vec3 shaded_normal(const TriangleTree& tree, int t, const TrianglePoint& at, Normals normals,
                    const Vec3& facet_normal_P) noexcept {
-  if (normals->shade == nullptr || !is_smooth(tree.part(), t, at.feature)) return facet_normal_P;
+  if (normals->shows_facets() || !is_smooth(tree.part(), t, at.feature)) return facet_normal_P;
   return normals->shade(tree, t, at, facet_normal_P);
 }
 

@@ -13,7 +13,7 @@ bool is_recorders_rate(double rate_hz) {
 
 std::string unit_of_seconds_words(double rate_hz) {
   for (const TimeUnit& unit : time_units) {
-    if (unit.seconds == 1 || !is_recorders_rate(rate_hz / unit.seconds)) continue;
+    if (unit.seconds >= 1 || !is_recorders_rate(rate_hz / unit.seconds)) continue;
     return fmt::format("--time-unit {} (or {})", unit.name, unit.name == "ms" ? "us" : "ms");
   }
   return "in what they are (--time-unit)";

@@ -156,7 +156,7 @@ TEST_F(FitReportOfFiles, AReplayWithTheFittedProfileLeavesLessOfTheMeasuredForce
   EXPECT_EQ(plot.exit_code, 0) << plot.err;
   EXPECT_THAT(plot.out, HasSubstr("'model' less 'measured'"));
   const std::string picture = test::bytes_of(folder / "residual.svg");
-  EXPECT_THAT(picture, AllOf(HasSubstr("measured"), HasSubstr("residual of")));
+  EXPECT_THAT(picture, AllOf(HasSubstr("measured"), HasSubstr("residual [N]")));
 #endif
 }
 

@@ -112,7 +112,7 @@ TEST_F(Fit, TakesMicrosecondsAsPeopleWriteThem) {
   };
   EXPECT_EQ(told("\u00b5s"), told("us"));
   EXPECT_EQ(told("\u03bcs"), told("us"));
-  EXPECT_THAT(told("furlong"), HasSubstr("'furlong' is none of s, ms, us"));
+  EXPECT_THAT(told("furlong"), HasSubstr("'furlong' is none of s, ms, us, ns, min"));
 }
 
 TEST_F(Fit, SaysWhatATraceAndAnUnfinishedRecordingAreTakenFor) {

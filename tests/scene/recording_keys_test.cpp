@@ -78,7 +78,7 @@ TEST(RecordingKeys, AreRefusedAtTheirPlaceWithWhatTheyMayBe) {
       {"columns = { x = \"P\", z = \"P\" }", "'z' in columns of [motion] and 'x' are both the column 'P'"},
       {"columns = \"X\"", "s.toml:7:11: 'columns' in [motion] must be a table such as { t = \"time\""},
       {"unit = \"ft\"", "unknown unit 'ft'"},
-      {"time_unit = \"min\"", "(known: s, ms, us)"},
+      {"time_unit = \"h\"", "(known: s, ms, us, ns, min)"},
       {"force_unit = \"lbf\"", "(known: N, mN, kN, gf, kgf)"},
       {"separator = \"|\"", "s.toml:7:13: 'separator' in [motion] must be \"auto\", \",\", \";\", \"tab\""},
       {"decimal = \"'\"", "'decimal' in [motion] must be"},

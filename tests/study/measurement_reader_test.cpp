@@ -402,8 +402,9 @@ TEST(TrialRows, AShortTrialWithAGapIsLeftOutAndOneOfAnotherUnitIsRefused) {
   EXPECT_TRUE(read.trials.empty());
   ASSERT_EQ(read.warnings.size(), 1u);
   EXPECT_THAT(read.warnings.front(), testing::HasSubstr("20 rows between long gaps are left out"));
-  for (const auto& [step_s, likely] :
-       {std::pair(2.0, "--time-unit ms (or us)"), {1000.0, "--time-unit us (or ms)"}}) {
+  for (const auto& [step_s, likely] : {std::pair(2.0, "--time-unit ms (or us)"),
+                                       {1000.0, "--time-unit us (or ms)"},
+                                       {1e6, "--time-unit ns (or ms)"}}) {
     try {
       short_trial(step_s, 0).finish(read);
       FAIL() << "it was taken";
