@@ -236,7 +236,9 @@ int check(const CheckOptions& options) {
       continue;
     }
     try {
-      all_touchable &= check_scene(path, options.json, report);
+      const bool touchable = check_scene(path, options.json, report);
+      if (!touchable && !options.json) print_out("{}: refused\n", path);
+      all_touchable &= touchable;
     } catch (const Error& error) {  // the others are looked at all the same
       if (options.json) {
         report.push_back({{"file", path}, {"touchable", false}, {"error", error.what()}});

@@ -104,7 +104,8 @@ SurfacePlace place_on(const TriangleTree& tree, const PlacedOn& on_triangle, con
 }
 
 /// The corners' normals of patches at so many places: all of them, where that is quicker than those of each
-/// patch by themselves, which share none of what their fans have in common.
+/// patch by themselves. A patch asks for those of nine fans, each of which looks at some ten more; in a
+/// table, of half as many fans as there are triangles, each is looked at a few times.
 class NormalsForPlaces {
  public:
   NormalsForPlaces(const TriangleTree& tree, std::size_t places) : part_(tree.part()) {
@@ -116,6 +117,8 @@ class NormalsForPlaces {
       table_ = &own_;
     }
   }
+  NormalsForPlaces(const NormalsForPlaces&) = delete;
+  NormalsForPlaces& operator=(const NormalsForPlaces&) = delete;
   CornerNormals operator()() const noexcept { return {part_, table_}; }
 
  private:

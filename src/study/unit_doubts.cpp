@@ -22,6 +22,7 @@ constexpr std::string_view units_checked =
 const TimeUnit* likely_time_unit(double rate_hz, double seconds_per_unit, double speed_m_per_s) {
   constexpr double slowest = 1e-3, fastest = 1.5;
   for (const TimeUnit& unit : time_units) {
+    if (unit.seconds > 1) continue;  // nobody forgets to say minutes
     const double times = seconds_per_unit / unit.seconds;
     if (!is_recorders_rate(rate_hz * times)) continue;
     if (speed_m_per_s * times >= slowest && speed_m_per_s * times <= fastest) return &unit;

@@ -37,7 +37,8 @@ class Turn {
 ///
 /// Nor are such walls driven apart without bound: a rigid ball in a wedge of half-angle beta pushes its walls
 /// by 1/sin(beta) of what presses it in, a sliver's two sides by a thousand times, and friction with them. A
-/// pad gives way there. Beyond `most_wedged` only so much is kept, and the rest too is added by shares.
+/// pad gives way there. Where the shares together come to more than `most_wedged` depths, they are scaled
+/// down to these, and what then lacks of the contact's push is added by shares too.
 class SharedPush {
  public:
   /// @param sum_m  of the holds' shares along their shaded normals
@@ -72,7 +73,7 @@ class SharedPush {
 
   Turn turn_;
   double scale_ = 1;
-  double told_ = 1;  // how much of the sum's direction is taken: 1 up to the largest scale, 0 of no sum
+  double told_ = 1;  // how much of the turn is made: 1 up to the largest scale, 0 where there is no sum
   Vec3 missing_per_share_ = Vec3::Zero();
 };
 

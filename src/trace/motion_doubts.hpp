@@ -11,12 +11,12 @@ void refuse_wild_rate(const MotionReading& reading, double least_hz);
 
 /// Of a clock with steps of many lengths: said where it decides something.
 void warn_of_odd_steps(MotionReading& reading);
-/// Of times that seem to be in ms or us and were read as seconds, where the scene does not say what they are
-/// in.
+/// Of times that seem to be in ms, us or ns and were read as seconds, where the scene does not say what they
+/// are in.
 ///
 /// Rule: no recorder is slower than 10 Hz, and no finger that is recorded for more than twenty samples is
-/// slower than a thousandth of 2 m/s on average; ms or us, whichever gives 20 Hz to 20 kHz, is likely if the
-/// finger stays under 2 m/s so. A few samples far apart are a motion that was written by hand.
+/// slower than a thousandth of 2 m/s on average; ms, us or ns, whichever gives 20 Hz to 20 kHz, is likely if
+/// the finger stays under 2 m/s so. A few samples far apart are a motion that was written by hand.
 void warn_of_slow_clock(MotionReading& reading);
 /// Of a measured normal force that presses nothing.
 void warn_of_odd_force(MotionReading& reading);

@@ -87,18 +87,12 @@ ComparedSeries compared_series(const ComparedRun& run, const std::string& name, 
   return series;
 }
 
-/// What lies nearer in a series is one place: two runs sum the same way, and differ by rounding.
-double rounding_of(const std::vector<double>& x) {
-  return 1e-9 * (x.back() - x.front());
-}
-
 /// The value at x, linearly between the ticks beside it; of several ticks at x, as of a finger that rests,
 /// that of the nearest time; nan before the first and after the last.
-/// @pre the series is not empty
-double value_at(const ComparedSeries& series, double x, double t_s) {
-  const double off = rounding_of(series.x);
-  const auto from = std::lower_bound(series.x.begin(), series.x.end(), x - off);
-  const auto to = std::upper_bound(from, series.x.end(), x + off);
+/// @param rounding  ticks that lie nearer are at x
+double value_at(const ComparedSeries& series, double x, double t_s, double rounding) {
+  const auto from = std::lower_bound(series.x.begin(), series.x.end(), x - rounding);
+  const auto to = std::upper_bound(from, series.x.end(), x + rounding);
   const auto first = static_cast<std::size_t>(from - series.x.begin());
   const auto beyond = static_cast<std::size_t>(to - series.x.begin());
   if (beyond > first) {
@@ -118,29 +112,34 @@ double value_at(const ComparedSeries& series, double x, double t_s) {
 /// Where two runs are compared.
 struct CommonTicks {
   double from = 0, to = 0;
+  double rounding = 0;                   ///< places that lie nearer are one: two runs sum one way apart
   const ComparedRun* grid = nullptr;     ///< whose ticks serve
   const ComparedRun* between = nullptr;  ///< that is interpolated
 };
 
-long ticks_within(const ComparedRun& run, double from, double to) {
-  return std::upper_bound(run.x.begin(), run.x.end(), to) -
-         std::lower_bound(run.x.begin(), run.x.end(), from);
+bool are_at(const CommonTicks& ticks, double x) {
+  return x >= ticks.from - ticks.rounding && x <= ticks.to + ticks.rounding;
+}
+
+long count_at(const CommonTicks& ticks, const ComparedRun& run) {
+  return std::ranges::count_if(run.x, [&](double x) { return are_at(ticks, x); });
 }
 
 CommonTicks common_ticks(const ComparedRun& first, const ComparedRun& other, Over over) {
   const CommonTicks none;
   if (first.x.empty() || other.x.empty())
     throw refused(first.x.empty() ? first.path : other.path, "holds no tick");
-  CommonTicks ticks{std::max(first.x.front(), other.x.front()), std::min(first.x.back(), other.x.back()),
-                    nullptr, nullptr};
+  CommonTicks ticks;
+  ticks.from = std::max(first.x.front(), other.x.front());
+  ticks.to = std::min(first.x.back(), other.x.back());
+  if (over != Over::time) ticks.rounding = 1e-9 * (ticks.to - ticks.from);
   if (!(ticks.to >= ticks.from)) {
     throw refused(other.path, fmt::format("has no {} in common with {}: {} to {} here, {} to {} there",
                                           over == Over::time ? "time" : "way", first.path,
                                           rounded_text(other.x.front(), 6), rounded_text(other.x.back(), 6),
                                           rounded_text(first.x.front(), 6), rounded_text(first.x.back(), 6)));
   }
-  const bool first_is_finer =
-      ticks_within(first, ticks.from, ticks.to) > ticks_within(other, ticks.from, ticks.to);
+  const bool first_is_finer = count_at(ticks, first) > count_at(ticks, other);
   ticks.grid = first_is_finer ? &other : &first;
   ticks.between = first_is_finer ? &first : &other;
   return ticks;
@@ -153,9 +152,9 @@ Residual residual_of(const std::string& name, const ComparedRun& first, const Co
   double squares = 0;
   for (std::size_t i = 0; i < ticks.grid->x.size(); ++i) {
     const double x = ticks.grid->x[i];
-    if (x < ticks.from || x > ticks.to) continue;
+    if (!are_at(ticks, x)) continue;
     const double t_s = ticks.grid->t_s.empty() ? x : ticks.grid->t_s[i];
-    const double left = value_at(b, x, t_s) - value_at(a, x, t_s);
+    const double left = value_at(b, x, t_s, ticks.rounding) - value_at(a, x, t_s, ticks.rounding);
     residual.x.push_back(x);
     residual.values.push_back(left);
     if (!std::isfinite(left)) continue;
@@ -170,11 +169,10 @@ Residual residual_of(const std::string& name, const ComparedRun& first, const Co
 /// Whether both have all ticks at which they are compared, so that nothing is interpolated.
 bool are_shared(const CommonTicks& ticks) {
   const std::vector<double>& other = ticks.between->x;
-  const double off = rounding_of(other);
   return std::all_of(ticks.grid->x.begin(), ticks.grid->x.end(), [&](double x) {
-    if (x < ticks.from || x > ticks.to) return true;
-    const auto near = std::lower_bound(other.begin(), other.end(), x - off);
-    return near != other.end() && *near <= x + off;
+    if (!are_at(ticks, x)) return true;
+    const auto near = std::lower_bound(other.begin(), other.end(), x - ticks.rounding);
+    return near != other.end() && *near <= x + ticks.rounding;
   });
 }
 
@@ -187,7 +185,7 @@ std::string span_words(const CommonTicks& ticks, Over over) {
 /// At which ticks a run is compared with the first; empty where both have the same.
 std::string ticks_words(const ComparedRun& first, const ComparedRun& other, const CommonTicks& ticks) {
   const bool shared = are_shared(ticks);
-  if (shared && first.x.size() == other.x.size()) return "";
+  if (shared && count_at(ticks, first) == count_at(ticks, other)) return "";
   if (ticks.grid == &other)
     return std::string("at its own ticks") + (shared ? "" : ", the first interpolated linearly");
   return shared ? "at the ticks of the first" : "interpolated linearly at the ticks of the first";

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -99,20 +100,19 @@ void add_column_panels(Chart& chart, const Comparison& comparison, const std::st
   chart.panels.push_back(std::move(left));
 }
 
-/// What all runs have in common, or else what each is called: "bracket, knob, housing and 3 more".
+/// What all runs have in common, or else what their scenes are called: "bracket, knob, housing and 3 more".
 std::string title_of(const std::vector<ComparedRun>& runs) {
-  constexpr std::size_t most = 3;
-  for (const auto member : {&ComparedRun::title, &ComparedRun::scene}) {
-    const auto same = [&](const ComparedRun& run) { return run.*member == runs[0].*member; };
-    if (std::all_of(runs.begin(), runs.end(), same)) return runs[0].*member;
-  }
-  const std::size_t named = runs.size() > most + 1 ? most : runs.size();
-  std::string title = runs[0].scene;
-  for (std::size_t i = 1; i < named; ++i) {
-    const bool is_last = i + 1 == runs.size();
-    title += (is_last ? " and " : ", ") + runs[i].scene;
-  }
-  return named < runs.size() ? fmt::format("{} and {} more", title, runs.size() - named) : title;
+  const auto same = [&](const ComparedRun& run) { return run.title == runs[0].title; };
+  if (std::ranges::all_of(runs, same)) return runs[0].title;
+  std::vector<std::string> names;
+  for (const ComparedRun& run : runs)
+    if (std::ranges::find(names, run.scene) == names.end()) names.push_back(run.scene);
+  constexpr std::size_t most = 4;
+  const std::size_t more = names.size() > most ? names.size() - most + 1 : 0;
+  if (more > 0) names.resize(most - 1);
+  const std::string last = more > 0 ? fmt::format("{} more", more) : names.back();
+  if (more == 0) names.pop_back();
+  return names.empty() ? last : fmt::format("{} and {}", fmt::join(names, ", "), last);
 }
 
 }  // namespace

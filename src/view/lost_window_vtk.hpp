@@ -7,7 +7,8 @@ namespace fingerpad {
 
 /// Hears that a window is taken away from outside, as by xkill: destroyed by another program, or with all of
 /// its connection to the X server. X ends a program for that in the midst of what it does, and what draws
-/// cannot go on. One at a time. A thread that fails meanwhile waits until what is to be ended has been.
+/// cannot go on. One at a time. A thread that fails of that waits for the end, ten seconds at most; one that
+/// fails of anything else does so a fifth of a second later.
 class LostWindowWatch {
  public:
   /// @param window   its number; errors about others end the program as before

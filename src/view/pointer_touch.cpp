@@ -13,27 +13,28 @@ unsigned touch_window_kind(const TouchWindowInput& input) {
 PointerTouch::PointerTouch(const TouchWindowInput& input, TouchTarget target, FirstHit first_hit)
     : input_(input), first_hit_(std::move(first_hit)), target_(std::move(target)) {}
 
-void PointerTouch::show(PointedScene shown) {
+void PointerTouch::show(PointedScene shown, double t_s) {
   const std::lock_guard lock(mutex_);
   const PointedScene before = std::exchange(shown_, std::move(shown));
-  if (!looks_anew(before) || is_on_panel(last_px_.x(), last_px_.y())) return;
-  over_ = point_at(last_px_.x(), last_px_.y());
-  if (!over_) return;
-  press();
-  tell(told_s_);
-}
-
-/// Whether what lies under a pointer that rests is to be looked for again.
-bool PointerTouch::looks_anew(const PointedScene& before) const {
+  const SightLines &then = before.lines, &now = shown_.lines;
+  is_turned_ |= then.near_mm != now.near_mm || then.far_mm != now.far_mm || then.right_mm != now.right_mm ||
+                then.up_mm != now.up_mm;
   const bool resized = before.scene.width != shown_.scene.width || before.scene.height != shown_.scene.height;
   // X told where the pointer is in the new window before there was a frame of it: it was looked for in the
   // old one, and missed the part.
-  if (held_) return resized && !over_;
-  // A key has turned the view. A finger that presses stays, and one that keys led.
-  const SightLines &then = before.lines, &now = shown_.lines;
-  const bool looks_on = then.near_mm == now.near_mm && then.far_mm == now.far_mm &&
-                        then.right_mm == now.right_mm && then.up_mm == now.up_mm;
-  return !looks_on && !latched_ && !turns_view_ && !led_by_keys_;
+  const bool missed = resized && held_ && !over_;
+  if (!missed && !follows_view()) return;
+  over_ = point_at(last_px_.x(), last_px_.y());
+  if (!over_) return;
+  press();
+  tell(t_s);
+}
+
+/// Whether something else may lie under a pointer that rests, since a key has turned the view or the window
+/// has another size. A finger that presses stays until it is let go, and one that keys have led.
+bool PointerTouch::follows_view() const {
+  const bool is_busy = held_ || latched_ || turns_view_ || on_panel_ || led_by_keys_;
+  return is_turned_ && !is_busy && !is_on_panel(last_px_.x(), last_px_.y());
 }
 
 bool PointerTouch::is_on_panel(double x_px, double y_px) const {
@@ -119,6 +120,7 @@ bool PointerTouch::take_key(KeyAction action, double t_s) {
 
 /// False where there is nothing to touch under the mouse.
 bool PointerTouch::point_at(double x_px, double y_px) {
+  is_turned_ = false;
   if (!shown_.scene.holds(x_px, y_px)) return false;
   const Vec3 beside_mm = x_px * shown_.lines.right_mm + y_px * shown_.lines.up_mm;
   const Vec3 near_mm = shown_.lines.near_mm + beside_mm, far_mm = shown_.lines.far_mm + beside_mm;

@@ -23,7 +23,8 @@ class PointerTouch {
   /// @param first_hit  called on the threads of events
   PointerTouch(const TouchWindowInput& input, TouchTarget target, FirstHit first_hit);
 
-  void show(PointedScene shown);
+  /// @param t_s  of the frame that shows it, as of events
+  void show(PointedScene shown, double t_s);
   bool take(const InputEvent& event);
   void change_force(int steps, double t_s);
 
@@ -38,7 +39,7 @@ class PointerTouch {
 
  private:
   bool take_key(KeyAction action, double t_s);
-  bool looks_anew(const PointedScene& before) const;
+  bool follows_view() const;
   bool point_at(double x_px, double y_px);
   void press();
   void tell(double t_s);
@@ -54,6 +55,7 @@ class PointerTouch {
   bool on_panel_ = false, beside_panels_ = false;  ///< where the button is held that was pressed there
   double told_s_ = 0;
   bool led_by_keys_ = true;      ///< since the pointer moved last, or ever
+  bool is_turned_ = false;       ///< the view, since what lies under the pointer was last looked for
   Vec2 last_px_ = Vec2::Zero();  ///< where the pointer was
 };
 

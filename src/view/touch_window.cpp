@@ -42,7 +42,7 @@ class TouchWindow {
     stage_.words().help = help_lines(touch_window_kind(input_));
     invite();
     stage_.keep_clear_of_readings();
-    pointer_.show(stage_.pointed());
+    pointer_.show(stage_.pointed(), 0);
     follow();
     if (!history_.rows().empty()) stage_.show_chart(live_chart(history_.rows(), levels_));
   }
@@ -142,7 +142,7 @@ class TouchWindow {
     warn();
     PointedScene shown = stage_.pointed();
     if (!history_.rows().empty()) shown.finger_W = history_.rows().back().p_WQ;
-    pointer_.show(std::move(shown));
+    pointer_.show(std::move(shown), loop_.event_s());
     invite();
     look_at_reach(elapsed_s);
     follow();

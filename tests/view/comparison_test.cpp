@@ -36,16 +36,16 @@ ComparedRun line_run(const std::string& path, double from_s, double to_s, double
 
 TEST(Comparison, OfOtherRatesIsAtTheTicksOfTheCoarser) {
   const Comparison comparison = compare_runs(
-      {line_run("fine.h5", 0, 1, 0.001, 0), line_run("coarse.h5", 0.3505, 2, 0.1, 0.25)}, {}, Over::time);
+      {line_run("fine.h5", 0, 1, 0.001, 0), line_run("coarse.h5", 0.35, 2, 0.1, 0.25)}, {}, Over::time);
   ASSERT_EQ(comparison.residuals.size(), 1u);
   const Residual& left = comparison.residuals[0];
-  ASSERT_EQ(left.values.size(), 7u) << "0.3505 to 0.9505 s";
+  ASSERT_EQ(left.values.size(), 7u) << "0.35 to 0.95 s";
   for (const double value : left.values)
     EXPECT_NEAR(value, 0.25, 1e-12) << "coarse less fine, and lines are exact";
   EXPECT_NEAR(left.rms, 0.25, 1e-12);
   EXPECT_THAT(comparison.notes,
               ElementsAre("residuals: less the first, fine",
-                          "coarse: 0.3505 to 1 s, at its own ticks, the first interpolated linearly"));
+                          "coarse: 0.35 to 1 s, at its own ticks, the first interpolated linearly"));
   EXPECT_THAT(residual_words(comparison), ElementsAre("fn_n: RMS 0.25 N, 'coarse' less 'fine', 7 ticks"));
 }
 
@@ -109,8 +109,8 @@ TEST(Comparison, TellsTheSpanThatRunsHaveInCommonOnce) {
   };
   EXPECT_THAT(notes({line_run("b.h5", 0, 1, 0.01, 1), line_run("c.h5", 0, 1, 0.01, 2)}),
               ElementsAre("all: 0 to 1 s"));
-  EXPECT_THAT(notes({line_run("b.h5", 0.3525, 2, 0.1, 1), line_run("c.h5", 0.3525, 2, 0.1, 2)}),
-              ElementsAre("all: 0.3525 to 1 s, each at its own ticks, the first interpolated linearly"));
+  EXPECT_THAT(notes({line_run("b.h5", 0.35, 2, 0.1, 1), line_run("c.h5", 0.35, 2, 0.1, 2)}),
+              ElementsAre("all: 0.35 to 1 s, each at its own ticks, the first interpolated linearly"));
   EXPECT_THAT(notes({line_run("b.h5", 0, 1, 0.01, 1), line_run("c.h5", 0, 1, 0.003, 2)}),
               ElementsAre("b: 0 to 1 s", "c: 0 to 0.999 s, interpolated linearly at the ticks of the first"));
   EXPECT_THAT(notes({line_run("b.h5", 0, 1, 0.01, 1), line_run("c.h5", 0, 1, 0.01, 1),
@@ -268,20 +268,29 @@ TEST(Comparison, OverTheWayGoesByTheNearestTimeWhereTheFingerRests) {
   EXPECT_NEAR(comparison.residuals[0].rms, 0, 1e-12);
 }
 
-// In the air between two strokes the way stands, and the sums of two runs differ in their last digits.
+// In the air between two strokes, or after the last, the way stands, and the sums of two runs differ in their
+// last digits.
 TEST(Comparison, OverTheWayTakesPlacesThatRoundingPartsForOne) {
-  ComparedRun a = line_run("a.h5", 0, 1, 0.1, 0);
-  a.t_s = a.x;
-  for (double& x : a.x) x = std::abs(x - 0.5) < 0.25 ? 0.3 : x;
-  for (const double off : {1e-15, -1e-15}) {
-    ComparedRun b = a;
-    b.path = "b.h5";
-    for (double& x : b.x) x += x == 0.3 ? off : 0;
-    const Comparison comparison = compare_runs({a, b}, {}, Over::travel);
-    EXPECT_EQ(comparison.residuals[0].ticks, 11u) << off;
-    EXPECT_NEAR(comparison.residuals[0].rms, 0, 1e-12) << off;
-    EXPECT_THAT(comparison.notes, ElementsAre("residuals: less the first, a", HasSubstr("0 to 1 mm")));
+  for (const double begins : {0.25, 0.75}) {
+    ComparedRun a = line_run("a.h5", 0, 1, 0.1, 0);
+    a.t_s = a.x;
+    for (double& x : a.x) x = x > begins ? std::max(begins, x - 0.5) : x;
+    for (const double off : {1e-15, -1e-15}) {
+      ComparedRun b = a;
+      b.path = "b.h5";
+      for (double& x : b.x) x += x == begins ? off : 0;
+      const Comparison comparison = compare_runs({a, b}, {}, Over::travel);
+      EXPECT_EQ(comparison.residuals[0].ticks, 11u) << off;
+      EXPECT_NEAR(comparison.residuals[0].rms, 0, 1e-12) << off;
+      EXPECT_THAT(comparison.notes, ElementsAre("residuals: less the first, a", testing::EndsWith(" mm")));
+    }
   }
+}
+
+TEST(Comparison, OfAsManyTicksElsewhereSaysAtWhich) {
+  const Comparison comparison =
+      compare_runs({line_run("a.h5", 0, 1, 0.1, 0), line_run("b.h5", 0, 0.5, 0.05, 0)}, {}, Over::time);
+  EXPECT_THAT(comparison.notes, testing::Contains(HasSubstr("at the ticks of the first")));
 }
 
 TEST(Comparison, HasAResidualUnderEachPanelAndOneLegendForWhatDiffers) {
@@ -323,20 +332,20 @@ TEST(Comparison, OfManyRunsNamesEachOnceAndTellsItsResidualsShortly) {
 }
 
 TEST(Comparison, IsTitledByItsScenesWhereTheyDiffer) {
-  std::vector<ComparedRun> runs;
-  const auto title = [&] { return comparison_chart(compare_runs(runs, {}, Over::time), Over::time).title; };
-  for (const char* scene : {"knob", "plate", "rim", "bore", "slot"}) {
-    runs.push_back(line_run(std::string(scene) + ".h5", 0, 1, 0.1, 0));
-    runs.back().scene = scene;
-    runs.back().title = std::string(scene) + ": part.stl";
-    if (runs.size() == 2) {
-      EXPECT_EQ(title(), "knob and plate");
+  const auto title = [](const std::vector<std::string>& scenes) {
+    std::vector<ComparedRun> runs;
+    for (const std::string& scene : scenes) {
+      runs.push_back(line_run(std::to_string(runs.size()) + ".h5", 0, 1, 0.1, 0));
+      runs.back().scene = scene;
+      runs.back().title = scene + ": part.stl";
     }
-    if (runs.size() == 4) {
-      EXPECT_EQ(title(), "knob, plate, rim and bore");
-    }
-  }
-  EXPECT_EQ(title(), "knob, plate, rim and 2 more");
+    return comparison_chart(compare_runs(runs, {}, Over::time), Over::time).title;
+  };
+  EXPECT_EQ(title({"knob", "plate"}), "knob and plate");
+  EXPECT_EQ(title({"knob", "plate", "rim", "bore"}), "knob, plate, rim and bore");
+  EXPECT_EQ(title({"knob", "plate", "rim", "bore", "slot"}), "knob, plate, rim and 2 more");
+  EXPECT_EQ(title({"knob", "knob", "plate", "knob", "rim"}), "knob, plate and rim");
+  EXPECT_EQ(title({"knob", "knob"}), "knob: part.stl");
 }
 
 // Alike to the last bit, a curve lay on the panel's frame.

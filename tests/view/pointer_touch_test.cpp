@@ -42,7 +42,7 @@ struct OverFloor {
     shown.scene = {0, 0, 200, 200};
     shown.panels = {{0, 150, 50, 50}};
     shown.lines = {Vec3(0, 0, 10), Vec3(0, 0, -10), Vec3::UnitX(), Vec3::UnitY()};
-    pointer.show(shown);
+    pointer.show(shown, 0);
   }
   bool take(Kind kind, double x, double y, double t_s) { return pointer.take({kind, x, y, "", t_s}); }
   bool key(const char* name, double t_s) { return pointer.take({Kind::key, 0, 0, name, t_s}); }
@@ -73,56 +73,100 @@ TEST(PointerTouch, HoversPressesAndLiftsWhereNothingIsUnderIt) {
 // other event while the pointer rests.
 TEST(PointerTouch, AHeldFingerPressesOnInAWindowThatIsMadeLargerAgain) {
   OverFloor over;
-  const PointedScene large{{0, 0, 200, 200}, {}, {Vec3(0, 0, 10), Vec3(0, 0, -10), {0.5, 0, 0}, {0, 0.5, 0}}};
+  PointedScene large{{0, 0, 200, 200}, {}, {Vec3(0, 0, 10), Vec3(0, 0, -10), {0.5, 0, 0}, {0, 0.5, 0}}};
   const PointedScene small{{0, 0, 60, 60}, {}, {Vec3(0, 0, 10), Vec3(0, 0, -10), {2, 0, 0}, {0, 2, 0}}};
-  over.pointer.show(large);
+  over.pointer.show(large, 2.5);
   EXPECT_TRUE(over.take(Kind::press, 120, 30, 1));
-  over.pointer.show(small);
+  over.pointer.show(small, 2.5);
   EXPECT_TRUE(over.pointer.pressing()) << "no event, no change";
   EXPECT_TRUE(over.take(Kind::move, 120, 40, 2));
   EXPECT_FALSE(over.pointer.pressing()) << "beside the small window";
-  over.pointer.show(small);
+  over.pointer.show(small, 2.5);
   EXPECT_FALSE(over.pointer.pressing());
-  over.pointer.show(large);
+  large.panels = {{100, 0, 100, 100}};  // which takes no pointer that was pressed beside it
+  over.pointer.show(large, 2.5);
   EXPECT_TRUE(over.pointer.pressing());
   EXPECT_LT((over.told.back().p_WQ - Vec3(0.06, 0.02, 0)).norm(), 1e-12);
-  EXPECT_EQ(over.told.back().t_s, 2);
+  EXPECT_EQ(over.told.back().t_s, 2.5);
   EXPECT_TRUE(over.take(Kind::release, 120, 40, 3));
-  over.pointer.show(small);
-  over.pointer.show(large);
+  over.pointer.show(small, 2.5);
+  over.pointer.show(large, 2.5);
   EXPECT_FALSE(over.pointer.pressing()) << "let go";
 }
 
-// A key turns the view under a mouse that rests: the finger stayed where it was until that moved.
+/// The floor moved aside under a pointer that rests, as a key turns the view.
+struct TurnedFloor : OverFloor {
+  double frame_s = 100;
+  void look_from_x(double x_mm) {
+    frame_s += 1;
+    pointer.show({{0, 0, 200, 200},
+                  {{0, 150, 50, 50}},
+                  {Vec3(x_mm, 0, 10), Vec3(x_mm, 0, -10), Vec3::UnitX(), Vec3::UnitY()}},
+                 frame_s);
+  }
+  double finger_x_m() const { return told.back().p_WQ.x(); }
+};
+
+// The finger stayed where it was until the mouse moved.
 TEST(PointerTouch, AHoveringFingerStaysUnderThePointerWhereTheViewTurns) {
-  OverFloor over;
-  const auto look_from_x = [&](double x_mm) {
-    over.pointer.show({{0, 0, 200, 200},
-                       {{0, 150, 50, 50}},
-                       {Vec3(x_mm, 0, 10), Vec3(x_mm, 0, -10), Vec3::UnitX(), Vec3::UnitY()}});
-  };
-  look_from_x(10);
+  TurnedFloor over;
+  over.look_from_x(10);
   EXPECT_TRUE(over.told.empty()) << "there was no pointer yet";
   over.take(Kind::move, 20, 30, 1);
-  EXPECT_NEAR(over.told.back().p_WQ.x(), 0.03, 1e-12);
-  look_from_x(40);
-  EXPECT_NEAR(over.told.back().p_WQ.x(), 0.06, 1e-12);
-  EXPECT_EQ(over.told.back().t_s, 1);
+  EXPECT_NEAR(over.finger_x_m(), 0.03, 1e-12);
+  over.look_from_x(40);
+  EXPECT_NEAR(over.finger_x_m(), 0.06, 1e-12);
+  EXPECT_EQ(over.told.back().t_s, over.frame_s) << "no leap in no time";
   const std::size_t told = over.told.size();
-  look_from_x(40);
+  over.look_from_x(40);
   EXPECT_EQ(over.told.size(), told) << "no other view";
-  over.take(Kind::move, 20, 160, 2);
-  look_from_x(10);
-  EXPECT_NEAR(over.told.back().p_WQ.x(), 0.06, 1e-12) << "on a panel";
-  over.take(Kind::move, 20, 30, 3);
-  over.key("space", 4);
-  look_from_x(40);
-  EXPECT_NEAR(over.told.back().p_WQ.x(), 0.03, 1e-12) << "what presses stays";
-  over.key("space", 5);
-  over.key("Right", 6);
-  const double led_m = over.told.back().p_WQ.x();
-  look_from_x(10);
-  EXPECT_EQ(over.told.back().p_WQ.x(), led_m) << "keys led it";
+  over.take(Kind::move, 20, 160, 200);
+  over.look_from_x(10);
+  EXPECT_NEAR(over.finger_x_m(), 0.06, 1e-12) << "on a panel";
+}
+
+TEST(PointerTouch, AFingerThatPressesStaysWhereTheViewTurnsUntilItIsLetGo) {
+  TurnedFloor latched;
+  latched.take(Kind::move, 20, 30, 1);
+  latched.key("space", 2);
+  latched.look_from_x(40);
+  EXPECT_NEAR(latched.finger_x_m(), 0.02, 1e-12);
+  latched.key("space", 200);
+  latched.look_from_x(40);
+  EXPECT_NEAR(latched.finger_x_m(), 0.06, 1e-12) << "with the next frame";
+  EXPECT_FALSE(latched.pointer.pressing());
+  TurnedFloor held;
+  held.take(Kind::press, 20, 30, 1);
+  held.look_from_x(40);
+  EXPECT_NEAR(held.finger_x_m(), 0.02, 1e-12);
+  EXPECT_TRUE(held.pointer.pressing());
+  held.take(Kind::release, 20, 30, 200);
+  held.look_from_x(40);
+  EXPECT_NEAR(held.finger_x_m(), 0.06, 1e-12);
+}
+
+TEST(PointerTouch, AFingerThatThePointerDoesNotLeadStaysWhereTheViewTurns) {
+  TurnedFloor by_keys;
+  by_keys.take(Kind::move, 20, 30, 1);
+  by_keys.key("Right", 2);
+  const double led_m = by_keys.finger_x_m();
+  by_keys.look_from_x(40);
+  EXPECT_EQ(by_keys.finger_x_m(), led_m);
+  TurnedFloor by_panel;
+  by_panel.take(Kind::move, 20, 30, 1);
+  by_panel.take(Kind::press, 20, 160, 2);
+  by_panel.take(Kind::move, 20, 30, 3);
+  by_panel.look_from_x(40);
+  EXPECT_NEAR(by_panel.finger_x_m(), 0.02, 1e-12) << "the button is the panel's";
+  TurnedFloor by_view;
+  by_view.take(Kind::move, 20, 30, 1);
+  by_view.take(Kind::press, 150, 30, 2);
+  by_view.take(Kind::move, 60, 30, 3);
+  by_view.look_from_x(10);
+  EXPECT_NEAR(by_view.finger_x_m(), 0.02, 1e-12) << "the button turns the view";
+  by_view.take(Kind::release, 60, 30, 200);
+  by_view.look_from_x(10);
+  EXPECT_NEAR(by_view.finger_x_m(), 0.07, 1e-12);
 }
 
 TEST(PointerTouch, AButtonPressedBesideThePartIsTheViewsUntilItIsLetGo) {
