@@ -21,9 +21,10 @@ struct ProxyLimits {
   static constexpr double touching_tolerances = 4;
   /// What rounding does to a step, as a share of its coordinates: two units in the last place.
   static constexpr double rounding = 4e-16;
-  /// What it does to the distance from a plane: some ten sums and products. Among planes alone this is the
-  /// only tolerance, since there is no extent to compare lengths with.
-  static constexpr double plane_rounding = 4e-15;
+  /// What it does to the distance from a plane: some ten sums and products, of shares that in a groove of a
+  /// tenth of a degree are some three hundred times the depth. Among planes alone this is the only tolerance,
+  /// since there is no extent to compare lengths with.
+  static constexpr double plane_rounding = 2e-12;
   /// What is looked at reaches farther than what is asked for by this share, against rounding. Of two
   /// projections one is nearer only by more than this.
   static constexpr double reach_rounding = 1e-12;

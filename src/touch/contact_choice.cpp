@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/number_text.hpp"
+#include "contact/contact_method_table.hpp"
 #include "scene/scene.hpp"
 #include "touch/contact_case.hpp"
 #include "touch/contact_mend.hpp"
@@ -50,6 +51,25 @@ std::string lighter_press_words(const Scene& scene) {
       rounded_text(scene.contact.greatest_force_n, 3), rounded_text(asked_n, 3));
 }
 
+bool any_planes_meet(std::span<const Surface> surfaces) {
+  constexpr double parallel2 = 1e-24;
+  for (const Surface& one : surfaces)
+    for (const Surface& other : surfaces)
+      if (one.plane_normal_W.cross(other.plane_normal_W).squaredNorm() > parallel2) return true;
+  return false;
+}
+
+/// Planes alone keep any tolerance, but that of two which meet the nearest alone would hold.
+void choose_among_planes(std::span<const Surface> planes, ContactChoice& choice) {
+  const auto rows = contact_method_table();
+  const auto holds_corners = std::ranges::find_if(
+      rows, [](const ContactMethodEntry& row) { return row.holds_several && row.fails != nullptr; });
+  if (holds_corners == rows.end() || !any_planes_meet(planes)) return;
+  choice.method = holds_corners->name;
+  choice.reasons.push_back(fmt::format(
+      "planes: {}, because two of them meet, and both hold a finger there (auto)", choice.method));
+}
+
 }  // namespace
 
 bool leaves_a_choice(const ContactSettings& contact) noexcept {
@@ -62,7 +82,11 @@ ContactChoice choose_contact(const Scene& scene, std::span<const Surface> surfac
   ContactChoice choice;
   choice.normals = asked.normals;
   if (asked.method != automatic_method) choice.method = asked.method;
-  if (!leaves_a_choice(asked) || measures.empty()) return choice;
+  if (!leaves_a_choice(asked)) return choice;
+  if (measures.empty()) {
+    if (asked.method == automatic_method) choose_among_planes(surfaces, choice);
+    return choice;
+  }
 
   ContactReckoning reckoning(surfaces, measures);
   const ContactVerdict verdict = reckoning.on_all(scene);

@@ -27,7 +27,8 @@ struct ContactLimit {
 struct ContactChoice {
   std::string method = "closest-point";  ///< a row of contact_method_table(), never automatic
   Normals normals = Normals::smooth;
-  std::vector<std::string> reasons;  ///< one for each part where the scene left something to choose:
+  std::vector<std::string> reasons;  ///< one for each part (or for the planes, where these alone decide)
+                                     ///< where the scene left something to choose:
                                      ///< "FILE: proxy, because WHY (auto)"; then a line for each limit that
                                      ///< says something: "FILE: force_tolerance 0.03 cannot ... (auto)"
   std::vector<ContactLimit> limits;  ///< one for each part, likewise
@@ -64,7 +65,8 @@ bool leaves_a_choice(const ContactSettings& contact) noexcept;
 /// nothing in the mesh tells the one from the other (a cube's edges turn alike too). Where it is meant to be
 /// round, say so by a `crease_deg` above the turn of its facets.
 ///
-/// One world has one method and one kind of normals: what one part needs all get.
+/// One world has one method and one kind of normals: what one part needs all get. Of planes alone, two that
+/// meet need a method that several walls can hold.
 /// @param surfaces  as load_world made them: parts first
 /// @param measures  one for each part; may be empty where the scene leaves no choice
 ContactChoice choose_contact(const Scene& scene, std::span<const Surface> surfaces,

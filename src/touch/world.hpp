@@ -33,7 +33,7 @@ struct World {
 /// "bracket.stl", its mesh without the folders; "plane".
 std::string shown_name(const Surface& surface);
 
-/// Whether only planes can be touched: every contact method, with any normals, finds the same there.
+/// Whether only planes can be touched: of one, every contact method, with any normals, finds the same.
 bool is_of_planes(const World& world) noexcept;
 
 /// That of all parts together, or the most that an int holds.

@@ -79,6 +79,22 @@ void warn_of_slow_clock(MotionReading& reading) {
   }
 }
 
+void warn_of_quick_clock(MotionReading& reading) {
+  constexpr long fewest_steps = 20;
+  constexpr double quick_hz = 5e3, quick_m_per_s = 2, seconds_per_minute = 60;
+  const RecordingClock& clock = reading.clock;
+  if (reading.says_time_unit || clock.steps < fewest_steps || clock.rate_hz < quick_hz) return;
+  const double duration_s = reading.motion.t_s.back() - reading.motion.t_s.front();
+  const double speed_m_per_s = way_m(reading.motion) / duration_s;
+  if (!(speed_m_per_s > quick_m_per_s)) return;
+  reading.warn(fmt::format(
+      "its finger goes at {} m/s on average, {} samples a second, if its time is in seconds, as none does; "
+      "time_unit = \"min\" in [motion] makes it {} m/s and {} Hz (time_unit = \"s\" if it is right)",
+      rounded_text(speed_m_per_s, 3), rounded_text(clock.rate_hz, 4),
+      rounded_text(speed_m_per_s / seconds_per_minute, 3),
+      rounded_text(clock.rate_hz / seconds_per_minute, 4)));
+}
+
 void warn_of_odd_force(MotionReading& reading) {
   const std::vector<double>& forces_n = reading.motion.normal_force_n;
   if (forces_n.empty()) return;

@@ -18,6 +18,8 @@ void warn_of_odd_steps(MotionReading& reading);
 /// slower than a thousandth of 2 m/s on average; ms, us or ns, whichever gives 20 Hz to 20 kHz, is likely if
 /// the finger stays under 2 m/s so. A few samples far apart are a motion that was written by hand.
 void warn_of_slow_clock(MotionReading& reading);
+/// Of times that seem to be in minutes: a finger at 2 m/s on average, told at 5 kHz or more.
+void warn_of_quick_clock(MotionReading& reading);
 /// Of a measured normal force that presses nothing.
 void warn_of_odd_force(MotionReading& reading);
 /// Of a measured force that no finger rubs with: its unit is asked for, where nothing says it.

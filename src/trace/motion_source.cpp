@@ -51,6 +51,7 @@ LoadedMotion load_motion(const Scene& scene, MeshStore& meshes) {
   read_file(reading);
   reading.clock = recording_clock(reading.motion.t_s);
   warn_of_slow_clock(reading);
+  warn_of_quick_clock(reading);
   if (settings.has_own_rate() || is_refined(settings))
     refuse_wild_rate(reading, settings.has_own_rate() ? 1 : 0);
   const double rate_hz = settled_rate_hz(reading);

@@ -231,6 +231,24 @@ std::vector<std::string> common_notes(const std::vector<ComparedRun>& runs,
   return notes;
 }
 
+/// How the ways are told of runs that left out ticks.
+std::vector<std::string> way_notes(const std::vector<ComparedRun>& runs, Over over) {
+  if (std::ranges::none_of(runs, &ComparedRun::x_by_fewer)) {
+    if (std::ranges::none_of(runs, &ComparedRun::lacks_ticks)) return {};
+    return {std::string(shortened_words(over))};
+  }
+  std::vector<std::string> notes{
+      "way: from each tick to the next of the run that has fewest; what lies between is longer"};
+  const auto ticks_of = [](const ComparedRun& run) { return run.t_s.size(); };
+  const std::size_t fewest = ticks_of(*std::ranges::min_element(runs, {}, ticks_of));
+  for (const ComparedRun& run : runs) {
+    if (run.x_by_fewer || ticks_of(run) == fewest) continue;
+    notes.push_back(run.name +
+                    " has not all of its ticks: its way is its own, of another length; over t they compare");
+  }
+  return notes;
+}
+
 std::string left_out_words(const ComparedRun& run) {
   const std::string of = run.name.empty() ? "" : run.name + ": ";
   if (run.every > 1) return fmt::format("{}1 tick in {} is here", of, run.every);
@@ -260,13 +278,9 @@ Comparison compare_runs(std::vector<ComparedRun> runs, const std::vector<std::st
   for (const ComparedRun& run : runs) {
     if (run.lacks_ticks) comparison.notes.push_back(left_out_words(run));
   }
-  const auto is_by_fewer = [](const ComparedRun& run) { return run.x_by_fewer; };
-  const auto lacks_ticks = [](const ComparedRun& run) { return run.lacks_ticks; };
-  if (std::any_of(runs.begin(), runs.end(), is_by_fewer))
-    comparison.notes.push_back(
-        "way: from each tick to the next of the run that has fewest; what lies between is longer");
-  else if (over != Over::time && std::any_of(runs.begin(), runs.end(), lacks_ticks))
-    comparison.notes.emplace_back(shortened_words(over));
+  if (over != Over::time) {
+    for (std::string& note : way_notes(runs, over)) comparison.notes.push_back(std::move(note));
+  }
   std::vector<CommonTicks> ticks;
   for (std::size_t i = 1; i < runs.size(); ++i) ticks.push_back(common_ticks(runs[0], runs[i], over));
   for (std::string& note : common_notes(runs, ticks, over)) comparison.notes.push_back(std::move(note));

@@ -25,6 +25,7 @@ bool WindowCommands::act(KeyAction action) {
     case KeyAction::first_view:
       stage_.reset_camera();
       stage_.charts().show_all();
+      window_.tell("as at first");
       return true;
     case KeyAction::nearer:
     case KeyAction::farther:

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "app/count_bar.hpp"
+#include "support/effort.hpp"
 #include "support/mesh_files.hpp"
 #include "support/paths.hpp"
 #include "support/shapes.hpp"
@@ -22,11 +23,7 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::Not;
 
-#ifdef __SANITIZE_ADDRESS__
-constexpr int subdivisions = 7;  // 131,072 triangles
-#else
-constexpr int subdivisions = 8;  // 524,288: over a second
-#endif
+const int subdivisions = test::sanitized() ? 7 : 8;  // 131,072 triangles; 524,288: over a second
 
 /// A folder with a mesh that takes longer than half a second, one that does not, and a point to ask them for.
 /// @param finer  by how often each triangle of the first is parted in four, where a load must last much
@@ -101,9 +98,7 @@ TEST(JobBar, NamesTheMeshThatABatchWaitsForAndKeepsItsLastLine) {
 /// A scene whose only job has a million ticks a metre; a few metres under a sanitizer, where each takes ten
 /// times as long.
 fs::path folder_with_long_job(int length_m) {
-#ifdef __SANITIZE_ADDRESS__
-  length_m = (length_m + 5) / 6;
-#endif
+  if (test::sanitized()) length_m = (length_m + 5) / 6;  // its ticks take longer
   const fs::path folder = test::scratch_dir();
   std::ofstream(folder / "long.toml")
       << "name = \"long\"\n[[plane]]\npoint_m = [0, 0, 0]\nnormal = [0, 0, 1]\n[friction]\nlaw = \"none\"\n"

@@ -337,6 +337,63 @@ TEST(ContactChoice, PlanesAloneAreNothingToChoose) {
   EXPECT_EQ(method_in(*test::world_of(box_soup({1, 1, 1})), choice.method), "closest-point");
 }
 
+std::vector<Surface> planes_with(const std::vector<Vec3>& normals) {
+  std::vector<Surface> planes(normals.size());
+  for (std::size_t i = 0; i < normals.size(); ++i) planes[i].plane_normal_W = normals[i].normalized();
+  return planes;
+}
+
+// The deeper plane alone held a finger in their corner, and a step over its middle turned the push about.
+TEST(ContactChoice, PlanesThatMeetHoldAFingerTogether) {
+  const std::vector<Surface> groove = planes_with({{1, 0, 1}, {-1, 0, 1}});
+  const ContactChoice choice = choice_for(Scene(), groove);
+  EXPECT_EQ(choice.method, "proxy");
+  EXPECT_THAT(choice.reasons,
+              ElementsAre("planes: proxy, because two of them meet, and both hold a finger there (auto)"));
+  EXPECT_EQ(choice_for(Scene(), planes_with({{0, 0, 1}, {0, 0, 1}})).method, "closest-point");
+  EXPECT_EQ(choice_for(Scene(), planes_with({{0, 0, 1}, {0, 0, -1}})).method, "closest-point");
+  Scene asked;
+  asked.contact.method = "closest-point";
+  EXPECT_EQ(choice_for(asked, groove).method, "closest-point") << "at the scene's word";
+
+  World world;
+  world.surfaces = groove;
+  settle_contact(world, Scene(), {});
+  Scene frictionless;
+  frictionless.friction.law = "none";
+  Touch touch(std::make_shared<const World>(std::move(world)), frictionless);
+  for (const double aside_m : {-1e-6, 0.0, 1e-6}) {
+    FingerSample sample;
+    sample.p_WQ = Vec3(aside_m, 0, -1e-3);
+    const TickRecord tick = touch.tick(sample);
+    EXPECT_LT((tick.force_W_n - Vec3(-1e3 * aside_m, 0, 1)).norm(), 1e-9) << aside_m;
+    EXPECT_EQ(tick.walls, 2);
+  }
+}
+
+// A millimetre and less below the apex of two planes, a point lost their groove in single ticks: what their
+// large shares round to was more than they might be missed by.
+TEST(ContactChoice, PlanesOfANarrowGrooveHoldAFingerInEveryTick) {
+  for (const double degrees : {3.0, 1.0, 0.5, 0.2, 0.1}) {
+    const double sine = std::sin(degrees * std::numbers::pi / 180), cosine = std::sqrt(1 - sine * sine);
+    World world;
+    world.surfaces = planes_with({{0, cosine, sine}, {0, -cosine, sine}});
+    settle_contact(world, Scene(), {});
+    Scene frictionless;
+    frictionless.friction.law = "none";
+    Touch touch(std::make_shared<const World>(std::move(world)), frictionless);
+    for (int k = 0; k < 300; ++k) {
+      FingerSample sample;
+      sample.t_s = 1e-3 * k;
+      sample.p_WQ =
+          Vec3(1e-3 * std::sin(0.02 * k), 2e-5 * std::sin(0.3 * k) * sine, -1e-3 + 3e-4 * std::sin(0.07 * k));
+      const TickRecord tick = touch.tick(sample);
+      const Vec3 exact_n(0, -1e3 * sample.p_WQ.y(), -1e3 * sample.p_WQ.z());
+      ASSERT_LT((tick.force_W_n - exact_n).norm(), 1e-6) << degrees << " degrees, tick " << k;
+    }
+  }
+}
+
 /// A part from a file in `folder`: a plate of 1 x 100 x 100 units.
 PartEntry plate(const std::filesystem::path& folder, const std::string& name) {
   PartEntry entry;

@@ -103,6 +103,11 @@ TEST(RecordingSource, SuspectsTimesThatWereReadAsSeconds) {
   EXPECT_THAT(loaded("time_unit = \"ms\"\n", 100, 1).warnings, IsEmpty());
   EXPECT_THAT(loaded("rate_hz = 1000\n", 15, 1).warnings, IsEmpty()) << "written by hand";
   EXPECT_THAT(loaded("rate_hz = 1000\n", 100, 12).warnings, IsEmpty()) << "a slow recorder";
+  // Some four hundred a second at 0.08 m/s, in minutes.
+  EXPECT_THAT(loaded("rate_hz = 1000\n", 100, 25000, 2e-4).warnings,
+              ElementsAre(HasSubstr("time_unit = \"min\" in [motion] makes it 0.0833 m/s and 416.7 Hz")));
+  EXPECT_THAT(loaded("rate_hz = 1000\ntime_unit = \"min\"\n", 100, 25000, 2e-4).warnings, IsEmpty());
+  EXPECT_THAT(loaded("rate_hz = 1000\n", 100, 25000, 2e-5).warnings, IsEmpty()) << "a quick recorder";
   // In steps of 100 mm a finger in ms would go at 100 m/s.
   EXPECT_THAT(loaded("rate_hz = 10\n", 30, 1, 0.1).warnings, IsEmpty());
 }

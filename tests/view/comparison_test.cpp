@@ -238,6 +238,25 @@ TEST(Comparison, OfTwoTracesIsTheSameBesideAThird) {
   }
 }
 
+// Of every seventh tick few are among every twentieth's, by which the whole run's way is told.
+TEST(Comparison, OverTheWayTellsWhoseWayIsItsOwn) {
+  const auto folder = test::scratch_dir();
+  const ViewInput input = test::torus_rub(1.004);
+  std::vector<std::string> paths;
+  for (const std::uint64_t every : {1, 7, 20}) {
+    paths.push_back((folder / fmt::format("every{}.csv", every)).string());
+    write_some(paths.back(), input, every);
+  }
+  constexpr double all = std::numeric_limits<double>::infinity();
+  const auto notes = [&](Over over) {
+    return compare_runs(read_compared_runs(paths, over, 0, all), {"x_m"}, over).notes;
+  };
+  const auto own_way = testing::Contains(HasSubstr("every7 has not all of its ticks: its way is its own"));
+  EXPECT_THAT(notes(Over::travel), own_way);
+  EXPECT_THAT(notes(Over::travel), Not(testing::Contains(HasSubstr("every20 has not"))));
+  EXPECT_THAT(notes(Over::time), Not(own_way));
+}
+
 // At another rate the finger passes other places of its way, so that none stands at a tick of both.
 TEST(Comparison, OverTheWayOfAnotherRateIsAtAllOfItsTicks) {
   const auto folder = test::scratch_dir();
