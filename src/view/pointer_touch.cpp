@@ -50,7 +50,7 @@ bool PointerTouch::take(const InputEvent& event) {
   bool taken = false;
   if (event.kind != InputEvent::Kind::key) {
     last_px_ = {event.x_px, event.y_px};
-    led_by_keys_ = false;
+    if (std::exchange(led_by_keys_, false)) is_turned_ = false;  // it comes to the view as that is
   }
   switch (event.kind) {
     case InputEvent::Kind::key: {
