@@ -235,19 +235,16 @@ int check(const CheckOptions& options) {
       all_touchable &= tell_mesh(checked(path, how), options.json, report);
       continue;
     }
+    bool touchable = false;
     try {
-      const bool touchable = check_scene(path, options.json, report);
-      if (!touchable && !options.json) print_out("{}: refused\n", path);
-      all_touchable &= touchable;
+      touchable = check_scene(path, options.json, report);
     } catch (const Error& error) {  // the others are looked at all the same
-      if (options.json) {
-        report.push_back({{"file", path}, {"touchable", false}, {"error", error.what()}});
-      } else {
-        print_out("{}: refused\n", path);  // whatever was said of its meshes
-      }
+      if (options.json) report.push_back({{"file", path}, {"touchable", false}, {"error", error.what()}});
       if (refused) print_err("fingerpad: error: {}\n", refused->what());
       refused = error;
     }
+    if (!touchable && !options.json) print_out("{}: refused\n", path);  // whatever was said of its meshes
+    all_touchable &= touchable;
   }
   if (options.json) write_stream(stdout, json_text(report));
   if (refused) throw *refused;

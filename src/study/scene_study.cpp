@@ -91,7 +91,7 @@ SceneStudy study_scene(const SceneStudyInput& input, const SceneStudyProgress& p
   study.model = model_choice();
   study.has_events = std::any_of(choices.begin(), choices.end(),
                                  [](const TouchChoice& choice) { return choice.events == Events::tick; });
-  study.has_meshes = !is_of_planes(*input.world);
+  study.has_meshes = !needs_no_method(*input.world);
   prepare_normals(*input.world);
   progress(0, "the model: " + study.model.name());
   const Model model = run_model(input, study);

@@ -31,7 +31,7 @@ std::string_view events_word(Events events) noexcept {
 }
 
 std::vector<TouchChoice> touch_choices(const Scene& scene, const World& world) {
-  const bool planes_only = is_of_planes(world);
+  const bool one_is_as_all = needs_no_method(world);
   std::vector<TouchChoice> choices;
   for (const ContactMethodEntry& method : contact_method_table()) {
     for (const Normals normals : normals_table()) {
@@ -39,7 +39,7 @@ std::vector<TouchChoice> touch_choices(const Scene& scene, const World& world) {
         choices.push_back({std::string(method.name), normals, rate_hz, Events::exact});
         if (has_events(scene)) choices.push_back({std::string(method.name), normals, rate_hz, Events::tick});
       }
-      if (planes_only) return choices;
+      if (one_is_as_all) return choices;
     }
   }
   return choices;

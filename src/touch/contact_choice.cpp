@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 
 #include "base/number_text.hpp"
@@ -50,14 +49,6 @@ std::string lighter_press_words(const Scene& scene) {
       "; reckoned for contact.greatest_force_n = {0}, though the motion asks for {1} N: with "
       "greatest_force_n = {1} less has to be kept",
       rounded_text(scene.contact.greatest_force_n, 3), rounded_text(asked_n, 3));
-}
-
-bool any_planes_meet(std::span<const Surface> surfaces) {
-  constexpr double parallel2 = 1e-24;
-  for (const Surface& one : surfaces)
-    for (const Surface& other : surfaces)
-      if (one.plane_normal_W.cross(other.plane_normal_W).squaredNorm() > parallel2) return true;
-  return false;
 }
 
 /// Planes alone keep any tolerance, but that of two which meet the nearest alone would hold.
@@ -117,7 +108,7 @@ ContactChoice settled_contact(const Scene& scene, const World& world) {
 }
 
 std::string_view method_in(const World& world, std::string_view method) noexcept {
-  return is_of_planes(world) ? plane_kind.name : method;
+  return needs_no_method(world) ? plane_kind.name : method;
 }
 
 }  // namespace fingerpad

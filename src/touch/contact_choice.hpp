@@ -76,7 +76,7 @@ ContactChoice choose_contact(const Scene& scene, std::span<const Surface> surfac
 /// choice (closest-point and smooth in a world that was made without one).
 ContactChoice settled_contact(const Scene& scene, const World& world);
 
-/// The method's name as traces have it: in a world of planes alone nothing is searched, and that is "plane".
+/// The method's name as traces have it: where none is needed (needs_no_method) that is "plane".
 std::string_view method_in(const World& world, std::string_view method) noexcept;
 
 }  // namespace fingerpad

@@ -1,5 +1,6 @@
 #include "touch/world.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
@@ -16,9 +17,18 @@ std::string shown_name(const Surface& surface) {
                             : std::filesystem::path(surface.mesh).filename().string();
 }
 
-bool is_of_planes(const World& world) noexcept {
-  return std::all_of(world.surfaces.begin(), world.surfaces.end(),
-                     [](const Surface& surface) { return surface.is_plane(); });
+bool any_planes_meet(std::span<const Surface> surfaces) noexcept {
+  constexpr double parallel2 = 1e-24;
+  const auto is_plane = [](const Surface& surface) { return surface.is_plane(); };
+  const auto first = std::ranges::find_if(surfaces, is_plane);
+  return std::any_of(first, surfaces.end(), [&](const Surface& other) {
+    return is_plane(other) && first->plane_normal_W.cross(other.plane_normal_W).squaredNorm() > parallel2;
+  });
+}
+
+bool needs_no_method(const World& world) noexcept {
+  return std::ranges::all_of(world.surfaces, [](const Surface& surface) { return surface.is_plane(); }) &&
+         !any_planes_meet(world.surfaces);
 }
 
 int triangles_of(std::span<const Surface> surfaces) {

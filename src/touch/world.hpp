@@ -33,8 +33,11 @@ struct World {
 /// "bracket.stl", its mesh without the folders; "plane".
 std::string shown_name(const Surface& surface);
 
-/// Whether only planes can be touched: of one, every contact method, with any normals, finds the same.
-bool is_of_planes(const World& world) noexcept;
+/// Whether two planes meet: a finger in their corner is held by both.
+bool any_planes_meet(std::span<const Surface> surfaces) noexcept;
+/// Whether only planes can be touched, no two of which meet: every contact method, with any normals, finds
+/// the same there.
+bool needs_no_method(const World& world) noexcept;
 
 /// That of all parts together, or the most that an int holds.
 int triangles_of(std::span<const Surface> surfaces);

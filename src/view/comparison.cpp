@@ -126,7 +126,6 @@ long count_at(const CommonTicks& ticks, const ComparedRun& run) {
 }
 
 CommonTicks common_ticks(const ComparedRun& first, const ComparedRun& other, Over over) {
-  const CommonTicks none;
   if (first.x.empty() || other.x.empty())
     throw refused(first.x.empty() ? first.path : other.path, "holds no tick");
   CommonTicks ticks;

@@ -50,7 +50,7 @@ std::vector<std::string> MaterialPanel::values(const Scene& scene) const {
   const SurfaceProperties& surface = surface_properties(scene, surface_);
   const Surface& touched = world_.surfaces[static_cast<std::size_t>(surface_)];
   const ContactChoice contact = settled_contact(scene, world_);
-  const bool planes = is_of_planes(world_);
+  const bool planes = needs_no_method(world_);
   return {shown_name(touched),
           number_text(surface.mu_static),
           number_text(surface.mu_dynamic),
@@ -156,7 +156,7 @@ std::string MaterialPanel::step(int row, int steps) {
     return {};
   }
   if (swap_.is_scheduled()) return "the recording that is followed changes the material itself";
-  if ((row == normals || row == method) && is_of_planes(world_)) return "a plane needs no method";
+  if ((row == normals || row == method) && needs_no_method(world_)) return "a plane needs no method";
   const Scene scene = swap_.scene();
   SceneChange change;
   change.value = stepped(row, steps, scene, change.key);

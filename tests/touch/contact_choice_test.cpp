@@ -343,6 +343,16 @@ std::vector<Surface> planes_with(const std::vector<Vec3>& normals) {
   return planes;
 }
 
+/// As `auto` touches them.
+Touch frictionless_touch(const std::vector<Surface>& surfaces) {
+  Scene scene;
+  scene.friction.law = "none";
+  World world;
+  world.surfaces = surfaces;
+  settle_contact(world, scene, {});
+  return {std::make_shared<const World>(std::move(world)), scene};
+}
+
 // The deeper plane alone held a finger in their corner, and a step over its middle turned the push about.
 TEST(ContactChoice, PlanesThatMeetHoldAFingerTogether) {
   const std::vector<Surface> groove = planes_with({{1, 0, 1}, {-1, 0, 1}});
@@ -355,13 +365,11 @@ TEST(ContactChoice, PlanesThatMeetHoldAFingerTogether) {
   Scene asked;
   asked.contact.method = "closest-point";
   EXPECT_EQ(choice_for(asked, groove).method, "closest-point") << "at the scene's word";
+  World corner;
+  corner.surfaces = groove;
+  EXPECT_EQ(method_in(corner, choice.method), "proxy") << "and traces say so";
 
-  World world;
-  world.surfaces = groove;
-  settle_contact(world, Scene(), {});
-  Scene frictionless;
-  frictionless.friction.law = "none";
-  Touch touch(std::make_shared<const World>(std::move(world)), frictionless);
+  Touch touch = frictionless_touch(groove);
   for (const double aside_m : {-1e-6, 0.0, 1e-6}) {
     FingerSample sample;
     sample.p_WQ = Vec3(aside_m, 0, -1e-3);
@@ -376,12 +384,7 @@ TEST(ContactChoice, PlanesThatMeetHoldAFingerTogether) {
 TEST(ContactChoice, PlanesOfANarrowGrooveHoldAFingerInEveryTick) {
   for (const double degrees : {3.0, 1.0, 0.5, 0.2, 0.1}) {
     const double sine = std::sin(degrees * std::numbers::pi / 180), cosine = std::sqrt(1 - sine * sine);
-    World world;
-    world.surfaces = planes_with({{0, cosine, sine}, {0, -cosine, sine}});
-    settle_contact(world, Scene(), {});
-    Scene frictionless;
-    frictionless.friction.law = "none";
-    Touch touch(std::make_shared<const World>(std::move(world)), frictionless);
+    Touch touch = frictionless_touch(planes_with({{0, cosine, sine}, {0, -cosine, sine}}));
     for (int k = 0; k < 300; ++k) {
       FingerSample sample;
       sample.t_s = 1e-3 * k;

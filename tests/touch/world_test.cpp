@@ -15,14 +15,17 @@ TEST(World, NamesItsSurfacesAsPeopleAreTold) {
   EXPECT_EQ(shown_name(test::plane_world()->surfaces.front()), "plane");
 }
 
-TEST(World, IsOfPlanesOnlyWhereNoPartIsAmongThem) {
+TEST(World, NeedsNoMethodWhereNeitherPartsNorCornersAreAmongItsPlanes) {
   World world = *test::plane_world();
   world.surfaces.emplace_back();
-  EXPECT_TRUE(is_of_planes(world));
+  EXPECT_TRUE(needs_no_method(world));
   EXPECT_EQ(triangles_of(world.surfaces), 0);
+  World corner = world;
+  corner.surfaces.back().plane_normal_W = Vec3::UnitX();
+  EXPECT_FALSE(needs_no_method(corner));
   world.surfaces.push_back(test::world_of(test::box_soup(Vec3(1, 1, 1)))->surfaces.front());
   world.surfaces.push_back(world.surfaces.back());
-  EXPECT_FALSE(is_of_planes(world));
+  EXPECT_FALSE(needs_no_method(world));
   EXPECT_EQ(triangles_of(world.surfaces), 24);
 }
 

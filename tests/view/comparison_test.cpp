@@ -219,14 +219,20 @@ TEST(Comparison, OfARunWithItselfThinnedLeavesNothing) {
     }
 }
 
-TEST(Comparison, OfTwoTracesIsTheSameBesideAThird) {
+/// One run, with a row in so many ticks each.
+std::vector<std::string> thinned_traces(const std::vector<std::uint64_t>& rows_in) {
   const auto folder = test::scratch_dir();
   const ViewInput input = test::torus_rub(1.004);
   std::vector<std::string> paths;
-  for (const std::uint64_t every : {1, 2, 20}) {
+  for (const std::uint64_t every : rows_in) {
     paths.push_back((folder / fmt::format("every{}.csv", every)).string());
     write_some(paths.back(), input, every);
   }
+  return paths;
+}
+
+TEST(Comparison, OfTwoTracesIsTheSameBesideAThird) {
+  const std::vector<std::string> paths = thinned_traces({1, 2, 20});
   constexpr double all = std::numeric_limits<double>::infinity();
   for (const Over over : {Over::time, Over::travel}) {
     const Comparison comparison = compare_runs(read_compared_runs(paths, over, 0, all), {"friction"}, over);
@@ -240,13 +246,7 @@ TEST(Comparison, OfTwoTracesIsTheSameBesideAThird) {
 
 // Of every seventh tick few are among every twentieth's, by which the whole run's way is told.
 TEST(Comparison, OverTheWayTellsWhoseWayIsItsOwn) {
-  const auto folder = test::scratch_dir();
-  const ViewInput input = test::torus_rub(1.004);
-  std::vector<std::string> paths;
-  for (const std::uint64_t every : {1, 7, 20}) {
-    paths.push_back((folder / fmt::format("every{}.csv", every)).string());
-    write_some(paths.back(), input, every);
-  }
+  const std::vector<std::string> paths = thinned_traces({1, 7, 20});
   constexpr double all = std::numeric_limits<double>::infinity();
   const auto notes = [&](Over over) {
     return compare_runs(read_compared_runs(paths, over, 0, all), {"x_m"}, over).notes;
