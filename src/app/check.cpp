@@ -161,20 +161,29 @@ void tell_overlaps(const Scene& scene, const std::string& path, std::vector<Plac
   }
 }
 
-/// Reads what the finger follows, if anything: refuses, or tells, what replay would.
-void look_at_motion(const Scene& scene) {
-  if (!scene.motion.given()) return;
-  for (const std::string& warning : load_motion(scene).warnings)
-    print_err("fingerpad: warning: {}\n", warning);
+/// The size of a finger's whole way, and its least corner: "120 x 0 x 1.5 mm, from (-60, 10, 0) mm".
+std::string path_words(const FingerPath& path) {
+  Vec3 least = path.at(0).p_WQ, most = least;
+  for (long k = 1; k < path.tick_count(); ++k) {
+    least = least.cwiseMin(path.at(k).p_WQ);
+    most = most.cwiseMax(path.at(k).p_WQ);
+  }
+  const auto mm = [](double m) { return rounded_text(std::round(1e9 * m) / 1e6 + 0.0, 5); };
+  const Vec3 size = most - least;
+  return fmt::format("{} x {} x {} mm, from ({}, {}, {}) mm", mm(size.x()), mm(size.y()), mm(size.z()),
+                     mm(least.x()), mm(least.y()), mm(least.z()));
 }
 
-/// Of what a scene says beside its parts: refuses, or tells, what replay would before its first tick.
-void look_at_finger_and_motion(const Scene& scene, const World& measured) {
-  refuse_missing_inputs(scene);
-  refuse_huge_finger(measured, scene);
-  look_at_motion(scene);
-  if (const std::string hint = finger_hint(measured, scene); !hint.empty())
-    print_err("fingerpad: warning: {}\n", hint);
+void tell_motion(const Scene& scene, const LoadedMotion& motion, bool as_json) {
+  if (!as_json) {
+    print_out("{}: can be followed\n  motion         {} at {} Hz, {} s\n  path           {}\n",
+              scene.motion.file.empty() ? "[motion]" : printable(scene.motion.file),
+              count_words(static_cast<std::size_t>(motion.path.tick_count()), "tick"),
+              rounded_text(motion.path.rate_hz(), 6),
+              rounded_text(motion.path.end_s() - motion.path.start_s(), 6), path_words(motion.path));
+    for (const std::string& note : motion.notes) print_err("fingerpad: {}\n", note);
+  }
+  for (const std::string& warning : motion.warnings) print_err("fingerpad: warning: {}\n", warning);
 }
 
 /// The parts of a scene, of a set those of its first job, each as the scene takes it and where it places it.
@@ -206,10 +215,16 @@ bool check_scene(const std::string& path, bool as_json, Json& report) {
   if (as_json) parts = std::span(report.get_ref<Json::array_t&>()).last(scene.parts.size());
   for (Json& part : parts) part["overlaps"] = Json::array();
   tell_overlaps(scene, path, std::move(surfaces), parts);
-  look_at_finger_and_motion(scene, measured);
+  refuse_missing_inputs(scene);
+  refuse_huge_finger(measured, scene);
+  std::optional<LoadedMotion> motion;
+  if (scene.motion.given()) motion = load_motion(scene);  // refuses what replay would
   if (scene.parts.empty() && !as_json)
     print_out("{}: can be touched\n  {} and no mesh: there is none to look at\n", path,
               count_words(scene.planes.size(), "plane"));
+  if (motion) tell_motion(scene, *motion, as_json);
+  if (const std::string hint = finger_hint(measured, scene); !hint.empty())
+    print_err("fingerpad: warning: {}\n", hint);
   return all_touchable;
 }
 

@@ -234,6 +234,25 @@ TEST(Refusals, OfAMotionAreTheSameForCheckAndReplay) {
   }
 }
 
+TEST(Check, TellsHowAScenesMotionWasReadAndHowFarItGoes) {
+  const fs::path folder = folder_with_inputs();
+  std::ofstream(folder / "rub.csv") << "time;X;Y;Z\n0;-10;5;0\n2;-10;7;0\n4;20;6;-1,5\n";
+  std::ofstream(folder / "s.toml")
+      << "[[part]]\nmesh = \"box.stl\"\nunit = \"mm\"\n[motion]\nfile = \"rub.csv\"\n"
+      << "unit = \"mm\"\ntime_unit = \"ms\"\nseparator = \"auto\"\ndecimal = \",\"\n"
+      << "columns = { t = \"time\", x = \"X\", y = \"Y\", z = \"Z\" }\n";
+  const ShellResult check = test::fingerpad("check s.toml", folder);
+  EXPECT_EQ(check.exit_code, 0) << check.err;
+  EXPECT_THAT(check.out, testing::EndsWith("rub.csv: can be followed\n"
+                                           "  motion         3 ticks at 500 Hz, 0.004 s\n"
+                                           "  path           30 x 2 x 1.5 mm, from (-10, 5, -1.5) mm\n"));
+  for (const char* said :
+       {"x is 'X'", "cells parted by ';'", "decimal mark ','", "positions in mm", "times in ms"})
+    EXPECT_THAT(check.err, HasSubstr(said));
+  const auto report = nlohmann::json::parse(test::fingerpad("check s.toml --json", folder).out);
+  EXPECT_EQ(report.size(), 1u) << "an object for each mesh";
+}
+
 TEST(Refusals, OfASubcommandNameTheNearest) {
   const fs::path folder = test::scratch_dir();
   expect_told(test::fingerpad("repaly scene.toml --out o", folder), 2,

@@ -16,7 +16,7 @@ void note_allocation() {
 
 }  // namespace
 
-#ifdef __SANITIZE_ADDRESS__
+#ifdef FINGERPAD_SANITIZED
 // Of the sanitizer's library; g++ 12 comes without its header.
 extern "C" int __sanitizer_install_malloc_and_free_hooks(  // NOLINT
     void (*on_malloc)(const volatile void*, std::size_t), void (*on_free)(const volatile void*));
