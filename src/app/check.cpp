@@ -19,6 +19,7 @@
 #include "contact/overlap.hpp"
 #include "contact/part_measures.hpp"
 #include "contact/triangle_tree.hpp"
+#include "part/bounds.hpp"
 #include "part/import.hpp"
 #include "part/mesh_format.hpp"
 #include "part/unit_hint.hpp"
@@ -161,28 +162,43 @@ void tell_overlaps(const Scene& scene, const std::string& path, std::vector<Plac
   }
 }
 
-/// The size of a finger's whole way, and its least corner: "120 x 0 x 1.5 mm, from (-60, 10, 0) mm".
-std::string path_words(const FingerPath& path) {
-  Vec3 least = path.at(0).p_WQ, most = least;
-  for (long k = 1; k < path.tick_count(); ++k) {
-    least = least.cwiseMin(path.at(k).p_WQ);
-    most = most.cwiseMax(path.at(k).p_WQ);
+/// The box of a finger's whole way: of one made from a formula, that of as many places as tell it.
+Bounds path_bounds(const FingerPath& path) {
+  Bounds bounds;
+  if (const Motion* recording = path.recording()) {
+    bounds.min = recording->p_WQ.rowwise().minCoeff();
+    bounds.max = recording->p_WQ.rowwise().maxCoeff();
+    return bounds;
   }
-  const auto mm = [](double m) { return rounded_text(std::round(1e9 * m) / 1e6 + 0.0, 5); };
-  const Vec3 size = most - least;
-  return fmt::format("{} x {} x {} mm, from ({}, {}, {}) mm", mm(size.x()), mm(size.y()), mm(size.z()),
-                     mm(least.x()), mm(least.y()), mm(least.z()));
+  constexpr long many = 100000;
+  const long last = path.tick_count() - 1, stride = last / many + 1;
+  bounds.min = bounds.max = path.at(last).p_WQ;
+  for (long k = 0; k < last; k += stride) {
+    const Vec3 p_WQ = path.at(k).p_WQ;
+    bounds.min = bounds.min.cwiseMin(p_WQ);
+    bounds.max = bounds.max.cwiseMax(p_WQ);
+  }
+  return bounds;
 }
 
-void tell_motion(const Scene& scene, const LoadedMotion& motion, bool as_json) {
+/// "120 x 0 x 1.5 mm, from (-60, 10, 0) mm".
+std::string box_words(const Bounds& box) {
+  const auto mm = [](double m) { return rounded_text(std::round(1e9 * m) / 1e6 + 0.0, 5); };
+  const Vec3 size = box.max - box.min;
+  return fmt::format("{} x {} x {} mm, from ({}, {}, {}) mm", mm(size.x()), mm(size.y()), mm(size.z()),
+                     mm(box.min.x()), mm(box.min.y()), mm(box.min.z()));
+}
+
+void tell_motion(const Scene& scene, const std::string& path, const LoadedMotion& motion, bool as_json) {
   if (!as_json) {
-    print_out("{}: can be followed\n  motion         {} at {} Hz, {} s\n  path           {}\n",
+    print_out("{}: {} can be followed\n  motion         {} at {} Hz, {} s\n  in a box of    {}\n", path,
               scene.motion.file.empty() ? "[motion]" : printable(scene.motion.file),
               count_words(static_cast<std::size_t>(motion.path.tick_count()), "tick"),
               rounded_text(motion.path.rate_hz(), 6),
-              rounded_text(motion.path.end_s() - motion.path.start_s(), 6), path_words(motion.path));
-    for (const std::string& note : motion.notes) print_err("fingerpad: {}\n", note);
+              rounded_text(motion.path.end_s() - motion.path.start_s(), 6),
+              box_words(path_bounds(motion.path)));
   }
+  for (const std::string& note : motion.notes) print_err("fingerpad: {}\n", note);
   for (const std::string& warning : motion.warnings) print_err("fingerpad: warning: {}\n", warning);
 }
 
@@ -222,7 +238,10 @@ bool check_scene(const std::string& path, bool as_json, Json& report) {
   if (scene.parts.empty() && !as_json)
     print_out("{}: can be touched\n  {} and no mesh: there is none to look at\n", path,
               count_words(scene.planes.size(), "plane"));
-  if (motion) tell_motion(scene, *motion, as_json);
+  if (motion)
+    tell_motion(scene, path, *motion, as_json);
+  else if (!as_json)
+    print_out("{}: has no [motion]: to touch and to view, not to replay\n", path);
   if (const std::string hint = finger_hint(measured, scene); !hint.empty())
     print_err("fingerpad: warning: {}\n", hint);
   return all_touchable;

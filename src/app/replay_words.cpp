@@ -107,8 +107,10 @@ void tell_pop_throughs(const std::vector<BatchJob>& jobs) {
   const Trouble pops = trouble_of(jobs, "pop_throughs");
   if (pops.jobs.empty()) return;
   const std::string_view firmest = contact_method_table().back().name;
-  const bool by_firmest = std::any_of(pops.jobs.begin(), pops.jobs.end(),
-                                      [&](const BatchJob* job) { return job->contact_method == firmest; });
+  // Between planes no method is asked.
+  const bool by_firmest = std::any_of(pops.jobs.begin(), pops.jobs.end(), [&](const BatchJob* job) {
+    return job->contact_method == firmest || find_contact_method(job->contact_method) == nullptr;
+  });
   print_err(
       "fingerpad: warning: {} {} in {}: the finger went through a wall, or was pushed out on its far side "
       "(pop_throughs in summary.csv); {}\n",

@@ -10,20 +10,12 @@ namespace {
 
 constexpr double rounded_up = 1 + Limits::rounding;
 
-int largest_fan(const Part& part) {
-  std::vector<int> fan(static_cast<std::size_t>(part.welded_count), 0);
-  for (int t = 0; t < part.triangle_count(); ++t) {
-    for (int k = 0; k < 3; ++k) ++fan[static_cast<std::size_t>(part.welded(k, t))];
-  }
-  return fan.empty() ? 0 : *std::max_element(fan.begin(), fan.end());
-}
-
 }  // namespace
 
 ProxyView::ProxyView(const ProxyWorld& world, Looks& looks, Lookout& at)
     : world_(world), looks_(looks), at_(at), near_(world) {
   for (const int i : world.parts())
-    usual_ = std::max(usual_, Limits::beside_fans + Limits::fans_in_view * largest_fan(world.part(i)));
+    usual_ = std::max(usual_, Limits::beside_fans + Limits::fans_in_view * world.part(i).largest_fan);
   usual_ = std::min(usual_, Limits::most_usual_view);
   forget();
 }

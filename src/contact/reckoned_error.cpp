@@ -115,17 +115,26 @@ struct Weighed {
   double share = 0, weight = 0;
 };
 
-/// The least share that all but a hundredth of the weight is not above. Orders them, the largest alone.
-double quantile_99(std::span<Weighed> shares, double weight) {
-  const auto is_less = [](const Weighed& a, const Weighed& b) { return a.share < b.share; };
-  std::make_heap(shares.begin(), shares.end(), is_less);
+/// The least share that all but a hundredth of the weight is not above.
+/// @param largest  scratch: the largest met so far, as few as outweigh that hundredth; a heap, the least
+/// first
+double quantile_99(std::span<const Weighed> shares, double weight, std::vector<Weighed>& largest) {
+  const auto is_more = [](const Weighed& a, const Weighed& b) { return a.share > b.share; };
+  const double beyond = 0.01 * weight;
+  largest.clear();
   double sum = 0;
-  for (auto end = shares.end(); end != shares.begin(); --end) {
-    sum += shares.front().weight;
-    if (sum > 0.01 * weight) return shares.front().share;
-    std::pop_heap(shares.begin(), end, is_less);
+  for (const Weighed& one : shares) {
+    if (sum > beyond && !(one.share > largest.front().share)) continue;
+    largest.push_back(one);
+    std::push_heap(largest.begin(), largest.end(), is_more);
+    sum += one.weight;
+    while (sum - largest.front().weight > beyond) {
+      sum -= largest.front().weight;
+      std::pop_heap(largest.begin(), largest.end(), is_more);
+      largest.pop_back();
+    }
   }
-  return 0;
+  return sum > beyond ? largest.front().share : 0;
 }
 
 /// How many times the least force the k-th is.
@@ -135,7 +144,7 @@ double times_least(std::size_t k) noexcept {
 
 /// Kept from region to region, for its memory.
 struct Scratch {
-  std::vector<Weighed> shares, behind;
+  std::vector<Weighed> shares, behind, largest;
 };
 
 /// A region's error under one force, over the places that a finger gets to.
@@ -157,8 +166,8 @@ ReckonedError error_in(std::span<const SurfacePlace> region, const Press& press,
     if (falls_behind(way, place.curvature_per_m, centre)) behind.push_back({place.curvature_per_m, weight});
   }
   if (!(weights > 0)) return {};
-  const double tightest_per_m = quantile_99(behind, weights);
-  ReckonedError error{quantile_99(shares, weights), tilts / weights};
+  const double tightest_per_m = quantile_99(behind, weights, scratch.largest);
+  ReckonedError error{quantile_99(shares, weights, scratch.largest), tilts / weights};
   if (!(tightest_per_m > 0)) return error;
   error.behind_m = 1 / tightest_per_m;
   error.behind_share = behind_share(times_as_far(tightest_per_m, centre));

@@ -163,6 +163,8 @@ BuiltPart build(const TriangleSoup& soup, double crease_rad, bool repair, const 
   const Points angles = corner_angles(part);
   fill_edge_pseudonormals(part, edges, draft.flat);
   const CornersAtVertices corners = corners_at.get();
+  for (int v = 0; v < part.welded_count; ++v)
+    part.largest_fan = std::max(part.largest_fan, static_cast<int>(corners.at(v).size()));
   fill_vertex_pseudonormals(part, corners, angles);
   fill_corner_normals(part, corners, angles);
   bodies.get();

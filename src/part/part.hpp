@@ -22,6 +22,7 @@ struct Part {
                                    ///< dropped faces keep their number)
   IndexTriples welded;             ///< 3 x n, as triangles, but with equal (or near-equal) vertices merged
   int welded_count = 0;            ///< welded vertices are 0 .. welded_count - 1
+  int largest_fan = 0;             ///< triangles at a welded vertex, at the most
   IndexTriples neighbours;         ///< 3 x n: triangle across edge k (corner k to k+1), -1 at a boundary and
                                    ///< where more than two triangles meet
   std::vector<std::uint8_t> creases;  ///< n: bit k set where edge k is sharper than the crease angle or has

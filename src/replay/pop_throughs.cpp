@@ -81,12 +81,20 @@ bool PopThroughs::popped(const Seen& now) noexcept {
   if (is_free) return most_depth_per_motion * moved_m < last_.depth_m;
   if (was_free) return now.normal_W.dot(motion_W) > push_along_motion * moved_m;
   if (now.normal_W.dot(last_.normal_W) > turned_round) return false;
-  if (moved_m < last_.depth_m + now.depth_m) return true;
-  return last_.is_inside() && now.is_inside() && !way_enters_a_part(now.p_WQ);
+  // Out of what is convex no push changes by more than the finger moves.
+  if ((now.push_m() - last_.push_m()).norm() > (1 + rounding) * moved_m) return true;
+  return last_.is_inside_one_wall() && now.is_inside_one_wall() && !way_enters_a_part(now.p_WQ);
+}
+
+bool PopThroughs::is_by_one_wall(const TickRecord& record) const noexcept {
+  if (record.walls != 1) return false;
+  return !world_ || record.surface < 0 ||
+         !world_->surfaces[static_cast<std::size_t>(record.surface)].is_plane();
 }
 
 void PopThroughs::observe(const TickRecord& record) noexcept {
-  const Seen now{record.p_WQ, record.contact_W, record.normal_W, record.depth_m, record.phase};
+  const Seen now{record.p_WQ,    record.contact_W, record.normal_W,
+                 record.depth_m, record.phase,     is_by_one_wall(record)};
   if (any_ && popped(now)) ++count_;
   last_ = now;
   any_ = true;

@@ -15,8 +15,9 @@ namespace fingerpad {
 ///   - the finger's way crosses a wall, but there is contact at neither end: nothing was felt at all; or
 ///   - a first touch pushes it on in the direction of its motion (within 60 degrees); or
 ///   - in unbroken contact the normal turns by more than 120 degrees although the finger cannot have left one
-///     surface for another: it moved by less than the depths before and after together, or its way stays
-///     inside the part; or
+///     surface for another: it moved by less than what pushes it out (depth times normal) changed by, which
+///     no place outside of what is convex does, such as a narrow groove of two planes; or one wall of a part
+///     holds it at either end and its way stays inside that part; or
 ///   - contact is lost although it moved by less than a third of its depth (a proxy lets go within a motion).
 /// The same for every contact method: all is seen from the finger's way, the parts and what was felt.
 ///
@@ -42,8 +43,10 @@ class PopThroughs {
     Vec3 p_WQ = Vec3::Zero(), contact_W = Vec3::Zero(), normal_W = Vec3::Zero();
     double depth_m = 0;
     Phase phase = Phase::free;
+    bool by_one_wall = false;  ///< of a part
 
-    bool is_inside() const noexcept { return (p_WQ - contact_W).dot(normal_W) < 0; }
+    Vec3 push_m() const noexcept { return depth_m * normal_W; }
+    bool is_inside_one_wall() const noexcept { return by_one_wall && (p_WQ - contact_W).dot(normal_W) < 0; }
   };
 
   /// From which sides a part is a wall: one with a border is one from behind too. Looked up when first asked
@@ -54,6 +57,7 @@ class PopThroughs {
   bool way_enters_a_part(const Vec3& to_W) noexcept;
   bool is_guide_held_back(const Vec3& to_W) noexcept;
   bool popped(const Seen& now) noexcept;
+  bool is_by_one_wall(const TickRecord& record) const noexcept;
 
   std::shared_ptr<const World> world_;
   std::vector<Sides> sides_;  ///< per surface

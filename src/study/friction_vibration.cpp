@@ -16,10 +16,11 @@ constexpr double drag_mu = 0.2, load_n = 1, stroke_m = 0.01;
 constexpr double half_band_hz = 30, turn_rad = 2 * std::numbers::pi;
 
 /// So many frequencies are summed at once, which the processor does side by side.
-constexpr int lanes = 8;
-using Lanes = Eigen::Array<double, lanes, 1>;
+constexpr int at_once = 8;
+using Lanes = Eigen::Array<double, at_once, 1>;
 
-/// The power that a signal holds at each frequency of these, in cycles over its whole length.
+/// The power that a signal holds at each frequency of these, in cycles over its whole length; none of them is
+/// 0 or half the rate.
 Lanes power_at(std::span<const double> signal, double mean, const Lanes& cycles) {
   const auto count = static_cast<double>(signal.size());
   const Lanes turn = turn_rad / count * cycles, step_re = turn.cos(), step_im = turn.sin();
@@ -40,8 +41,8 @@ double band_rms(std::span<const double> signal, double rate_hz, double low_hz, d
   double mean = 0, square = 0;
   for (const double value : signal) mean += value / count;
   const double last = high_hz * count / rate_hz;
-  for (double first = std::ceil(low_hz * count / rate_hz); first <= last; first += lanes) {
-    const Lanes cycles = Lanes::LinSpaced(first, first + lanes - 1);
+  for (double first = std::ceil(low_hz * count / rate_hz); first <= last; first += at_once) {
+    const Lanes cycles = Lanes::LinSpaced(first, first + at_once - 1);
     square += (cycles <= last).select(power_at(signal, mean, cycles), 0).sum();
   }
   return std::sqrt(square);

@@ -1,9 +1,14 @@
 #include "trace/motion_reading.hpp"
 
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
 #include "base/number_text.hpp"
 #include "base/printable_text.hpp"
 #include "base/unit.hpp"
 #include "motion/field_format.hpp"
+#include "part/mesh_format.hpp"
 #include "trace/hdf5_motion.hpp"
 #include "trace/motion_of_trace.hpp"
 #include "trace/trace.hpp"
@@ -46,6 +51,22 @@ void warn_of_thinned(MotionReading& reading, std::uint64_t every) {
       "is a trace with 1 row in {} ticks (replay --every): between its rows the finger goes straight, so "
       "this is not the motion of its run, nor will the forces be; replay its scene without --every",
       every));
+}
+
+/// A scene or a mesh that is named as a motion is told as what it is, rather than read as a table.
+void refuse_by_ending(const std::string& path) {
+  std::string ending = std::filesystem::path(path).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const auto is_of = [&ending](const MeshFormat& format) {
+    return std::ranges::find(format.endings, ending) != format.endings.end();
+  };
+  const bool is_toml = ending == ".toml";
+  if (!is_toml && std::ranges::none_of(mesh_format_table(), is_of)) return;
+  throw refused(path,
+                fmt::format("is by its name {}, and no motion: [motion] file takes a table with t_s, x_m, "
+                            "y_m and z_m or a trace",
+                            is_toml ? "a scene or a profile" : "a mesh"));
 }
 
 FieldRecording read_table_of_hdf5(const MotionSettings& settings) {
@@ -94,6 +115,7 @@ void read_own_trace(MotionReading& reading) {
 void read_file(MotionReading& reading) {
   const MotionSettings& settings = reading.settings;
   const bool reads_force = settings.format.reads_normal_force;
+  refuse_by_ending(settings.file_path);
   refuse_false_hdf5(settings.file_path);
   const bool hdf5 = is_hdf5(settings.file_path), hdf5_table = hdf5 && is_hdf5_table(settings.file_path);
   if (!hdf5_table && (hdf5 || (settings.table_key.empty() && is_csv_trace(settings.file_path)))) {

@@ -234,6 +234,45 @@ TEST(Refusals, OfAMotionAreTheSameForCheckAndReplay) {
   }
 }
 
+TEST(Refusals, OfASceneOrAMeshAsAMotionSayWhatItIs) {
+  const fs::path folder = folder_with_inputs();
+  for (const auto& [motion, is] :
+       {std::pair("s.toml", "a scene or a profile"), std::pair("box.stl", "a mesh")}) {
+    std::ofstream(folder / "s.toml") << "[[part]]\nmesh = \"box.stl\"\nunit = \"mm\"\n[motion]\nfile = \""
+                                     << motion << "\"\n";
+    expect_told(test::fingerpad("replay s.toml --out o", folder), 3,
+                std::string(motion) + ": is by its name " + is + ", and no motion");
+  }
+}
+
+TEST(Check, SaysWhereThereIsNoMotionToReplay) {
+  const fs::path folder = folder_with_inputs();
+  std::ofstream(folder / "s.toml") << "[[part]]\nmesh = \"box.stl\"\nunit = \"mm\"\n";
+  const ShellResult check = test::fingerpad("check s.toml", folder);
+  EXPECT_EQ(check.exit_code, 0);
+  EXPECT_THAT(check.out, testing::EndsWith("s.toml: has no [motion]: to touch and to view, not to replay\n"));
+}
+
+TEST(Check, TellsTheBoxOfALongScriptedMotionAtOnce) {
+  const fs::path folder = folder_with_inputs();
+  std::ofstream(folder / "s.toml") << R"(
+[[plane]]
+point_m = [0, 0, 0]
+normal = [0, 0, 1]
+[motion]
+kind = "circle"
+centre_m = [0, 0, 0]
+radius_m = 0.01
+frequency_hz = 1
+duration_s = 2000000
+rate_hz = 1000
+)";
+  const ShellResult check = test::fingerpad("check s.toml", folder);
+  EXPECT_THAT(check.out, HasSubstr("  motion         2000000001 ticks at 1000 Hz, 2000000 s\n"
+                                   "  in a box of    20 x 20 x 0 mm, from (-10, -10, 0) mm\n"))
+      << check.err;
+}
+
 TEST(Check, TellsHowAScenesMotionWasReadAndHowFarItGoes) {
   const fs::path folder = folder_with_inputs();
   std::ofstream(folder / "rub.csv") << "time;X;Y;Z\n0;-10;5;0\n2;-10;7;0\n4;20;6;-1,5\n";
@@ -243,9 +282,9 @@ TEST(Check, TellsHowAScenesMotionWasReadAndHowFarItGoes) {
       << "columns = { t = \"time\", x = \"X\", y = \"Y\", z = \"Z\" }\n";
   const ShellResult check = test::fingerpad("check s.toml", folder);
   EXPECT_EQ(check.exit_code, 0) << check.err;
-  EXPECT_THAT(check.out, testing::EndsWith("rub.csv: can be followed\n"
+  EXPECT_THAT(check.out, testing::EndsWith("s.toml: rub.csv can be followed\n"
                                            "  motion         3 ticks at 500 Hz, 0.004 s\n"
-                                           "  path           30 x 2 x 1.5 mm, from (-10, 5, -1.5) mm\n"));
+                                           "  in a box of    30 x 2 x 1.5 mm, from (-10, 5, -1.5) mm\n"));
   for (const char* said :
        {"x is 'X'", "cells parted by ';'", "decimal mark ','", "positions in mm", "times in ms"})
     EXPECT_THAT(check.err, HasSubstr(said));

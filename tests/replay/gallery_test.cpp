@@ -177,6 +177,7 @@ std::shared_ptr<const World> two_boxes(double gap_m) {
 TickRecord on_wall(double x, double normal_x, double depth_m) {
   TickRecord record;
   record.phase = Phase::slip;
+  record.walls = 1;
   record.p_WQ = Vec3(x, 1e-4, 2e-4);
   record.normal_W = Vec3(normal_x, 0, 0);
   record.depth_m = depth_m;

@@ -108,6 +108,32 @@ TEST(PopThroughs, CountABladeWhoseFlankWouldStillHoldTheFinger) {
   }
 }
 
+TEST(PopThroughs, DoNotCountPushesOutOfAGrooveThatTurnAsTheFingerMoves) {
+  // Two planes, 2.5 degrees to either side of z. One wall alone holds the finger above the groove's bottom,
+  // both hold it below, where its push is straight to the bottom.
+  const Vec3 left(-std::cos(2.5 * degree), 0, std::sin(2.5 * degree));
+  const auto pops = [&left](const Vec3& from, const Vec3& to, double farther) {
+    PopThroughs counted;
+    TickRecord row;
+    row.phase = Phase::slip;
+    const auto feel = [&](const Vec3& p_W, const Vec3& push_m, int walls) {
+      row.p_WQ = p_W;
+      row.normal_W = push_m.normalized();
+      row.depth_m = push_m.norm();
+      row.contact_W = p_W + push_m;
+      row.walls = walls;
+      counted.observe(row);
+    };
+    feel(from, -left.dot(from) * left, 1);
+    feel(to, -farther * to, 2);
+    return counted.count();
+  };
+  const Vec3 over(4.5e-6, 0, 4.5e-6), under(-2.5e-6, 0, -2.5e-6), close_under(-0.5e-6, 0, -0.5e-6);
+  EXPECT_EQ(pops(over, under, 1), 0);
+  EXPECT_EQ(pops(over, close_under, 1), 0);
+  EXPECT_EQ(pops(over, under, 3), 1) << "pushed farther than it moved";
+}
+
 TEST(PopThroughs, CountAnOpenSheetFromBothSides) {
   TriangleSoup sheet;
   sheet.vertices_P.resize(3, 4);
