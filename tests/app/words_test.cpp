@@ -117,7 +117,9 @@ TEST(Words, OfACheckedSceneWithoutAMeshSayWhatItHas) {
   test::write_file(folder, "floor.toml", "[[plane]]\npoint_m = [0, 0, 0]\nnormal = [0, 0, 1]\n");
   const ShellResult told = run("check floor.toml", folder);
   EXPECT_EQ(told.exit_code, 0) << told.err;
-  EXPECT_EQ(told.out, "floor.toml: can be touched\n  1 plane and no mesh: there is none to look at\n");
+  EXPECT_EQ(told.out,
+            "floor.toml: can be touched\n  1 plane and no mesh: there is none to look at\n"
+            "floor.toml: has no [motion]: to touch and to view, not to replay\n");
   EXPECT_EQ(run("check floor.toml --json", folder).out, "[]\n");
 }
 
