@@ -189,6 +189,7 @@ std::string box_words(const Bounds& box) {
                      mm(box.min.x()), mm(box.min.y()), mm(box.min.z()));
 }
 
+/// On standard output what there is to follow; how it was read goes to standard error, as from replay.
 void tell_motion(const Scene& scene, const std::string& path, const LoadedMotion& motion, bool as_json) {
   if (!as_json) {
     print_out("{}: {} can be followed\n  motion         {} at {} Hz, {} s\n  in a box of    {}\n", path,
@@ -200,6 +201,24 @@ void tell_motion(const Scene& scene, const std::string& path, const LoadedMotion
   }
   for (const std::string& note : motion.notes) print_err("fingerpad: {}\n", note);
   for (const std::string& warning : motion.warnings) print_err("fingerpad: warning: {}\n", warning);
+}
+
+/// Of what a scene says beside its parts: refuses, or tells, what replay would before its first tick.
+void look_at_finger_and_motion(const Scene& scene, const std::string& path, const World& measured,
+                               bool as_json) {
+  refuse_missing_inputs(scene);
+  refuse_huge_finger(measured, scene);
+  std::optional<LoadedMotion> motion;
+  if (scene.motion.given()) motion = load_motion(scene);
+  if (scene.parts.empty() && !as_json)
+    print_out("{}: can be touched\n  {} and no mesh: there is none to look at\n", path,
+              count_words(scene.planes.size(), "plane"));
+  if (motion)
+    tell_motion(scene, path, *motion, as_json);
+  else if (!as_json)
+    print_out("{}: has no [motion]: to touch and to view, not to replay\n", path);
+  if (const std::string hint = finger_hint(measured, scene); !hint.empty())
+    print_err("fingerpad: warning: {}\n", hint);
 }
 
 /// The parts of a scene, of a set those of its first job, each as the scene takes it and where it places it.
@@ -231,19 +250,7 @@ bool check_scene(const std::string& path, bool as_json, Json& report) {
   if (as_json) parts = std::span(report.get_ref<Json::array_t&>()).last(scene.parts.size());
   for (Json& part : parts) part["overlaps"] = Json::array();
   tell_overlaps(scene, path, std::move(surfaces), parts);
-  refuse_missing_inputs(scene);
-  refuse_huge_finger(measured, scene);
-  std::optional<LoadedMotion> motion;
-  if (scene.motion.given()) motion = load_motion(scene);  // refuses what replay would
-  if (scene.parts.empty() && !as_json)
-    print_out("{}: can be touched\n  {} and no mesh: there is none to look at\n", path,
-              count_words(scene.planes.size(), "plane"));
-  if (motion)
-    tell_motion(scene, path, *motion, as_json);
-  else if (!as_json)
-    print_out("{}: has no [motion]: to touch and to view, not to replay\n", path);
-  if (const std::string hint = finger_hint(measured, scene); !hint.empty())
-    print_err("fingerpad: warning: {}\n", hint);
+  look_at_finger_and_motion(scene, path, measured, as_json);
   return all_touchable;
 }
 

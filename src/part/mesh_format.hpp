@@ -28,6 +28,9 @@ struct MeshFormat {
 /// All mesh formats, in the order in which they are told.
 std::span<const MeshFormat> mesh_format_table() noexcept;
 
+/// The format whose files' names end so, in either case; null for none.
+const MeshFormat* format_of_ending(std::string_view ending) noexcept;
+
 /// "STL, OBJ, PLY and OFF".
 /// @param last  "and" or "or"
 std::string mesh_format_names(std::string_view last);

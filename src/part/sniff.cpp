@@ -61,13 +61,6 @@ const MeshFormat* find_format(const Is& is) {
   return found == table.end() ? nullptr : &*found;
 }
 
-const MeshFormat* format_of_name(const std::string& ending) {
-  return find_format([&](const MeshFormat& format) {
-    return std::any_of(format.endings.begin(), format.endings.end(),
-                       [&](std::string_view known) { return same_word(ending, known); });
-  });
-}
-
 /// The format that the content proves; null where it could be several.
 const MeshFormat* format_of_content(std::string_view bytes) {
   return find_format([bytes](const MeshFormat& format) { return format.proves(bytes); });
@@ -118,7 +111,7 @@ const MeshFormat& mesh_format(const std::string& path, std::string_view bytes) {
   refuse_step(ending, bytes);
   const MeshFormat* content = format_of_content(bytes);
   const bool stream = stream_descriptor(path).has_value();
-  const MeshFormat* named = !stream              ? format_of_name(ending)
+  const MeshFormat* named = !stream              ? format_of_ending(ending)
                             : content != nullptr ? content
                                                  : format_of_stream(bytes);
   if (content != nullptr && named != nullptr && content != named) {

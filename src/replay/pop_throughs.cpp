@@ -82,7 +82,8 @@ bool PopThroughs::popped(const Seen& now) noexcept {
   if (was_free) return now.normal_W.dot(motion_W) > push_along_motion * moved_m;
   if (now.normal_W.dot(last_.normal_W) > turned_round) return false;
   // Out of what is convex no push changes by more than the finger moves.
-  if ((now.push_m() - last_.push_m()).norm() > (1 + rounding) * moved_m) return true;
+  const double rounded_m = rounding * (now.p_WQ.norm() + last_.p_WQ.norm());
+  if ((now.push_m() - last_.push_m()).norm() > moved_m + rounded_m) return true;
   return last_.is_inside_one_wall() && now.is_inside_one_wall() && !way_enters_a_part(now.p_WQ);
 }
 

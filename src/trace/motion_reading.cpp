@@ -1,7 +1,5 @@
 #include "trace/motion_reading.hpp"
 
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
 
 #include "base/number_text.hpp"
@@ -9,6 +7,7 @@
 #include "base/unit.hpp"
 #include "motion/field_format.hpp"
 #include "part/mesh_format.hpp"
+#include "part/text_cursor.hpp"
 #include "trace/hdf5_motion.hpp"
 #include "trace/motion_of_trace.hpp"
 #include "trace/trace.hpp"
@@ -55,14 +54,9 @@ void warn_of_thinned(MotionReading& reading, std::uint64_t every) {
 
 /// A scene or a mesh that is named as a motion is told as what it is, rather than read as a table.
 void refuse_by_ending(const std::string& path) {
-  std::string ending = std::filesystem::path(path).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  const auto is_of = [&ending](const MeshFormat& format) {
-    return std::ranges::find(format.endings, ending) != format.endings.end();
-  };
-  const bool is_toml = ending == ".toml";
-  if (!is_toml && std::ranges::none_of(mesh_format_table(), is_of)) return;
+  const std::string ending = std::filesystem::path(path).extension().string();
+  const bool is_toml = same_word(ending, ".toml");
+  if (!is_toml && format_of_ending(ending) == nullptr) return;
   throw refused(path,
                 fmt::format("is by its name {}, and no motion: [motion] file takes a table with t_s, x_m, "
                             "y_m and z_m or a trace",
