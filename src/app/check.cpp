@@ -8,6 +8,7 @@
 #include <span>
 #include <utility>
 
+#include "app/check_motion.hpp"
 #include "app/commands.hpp"
 #include "app/progress_bar.hpp"
 #include "app/standard_streams.hpp"
@@ -141,13 +142,8 @@ std::string surface_words(const Scene& scene, std::size_t i) {
 
 /// On standard error, and in the objects of the parts that they are of.
 /// @param parts  as many objects as the scene has parts, or none
-void tell_overlaps(const Scene& scene, const std::string& path, std::vector<PlacedSurface> surfaces,
+void tell_overlaps(const Scene& scene, const std::string& path, const std::vector<PlacedSurface>& surfaces,
                    std::span<Json> parts) {
-  for (const PlaneEntry& plane : scene.planes) {
-    PlacedSurface& surface = surfaces.emplace_back();
-    surface.plane_point_W = plane.point_m;
-    surface.plane_normal_W = plane.normal;
-  }
   for (const Overlap& overlap : overlaps(surfaces)) {
     print_err("fingerpad: {}: {} and {} overlap by {} mm at ({}, {}, {}) m; is that meant?\n", path,
               surface_words(scene, overlap.one), surface_words(scene, overlap.other),
@@ -162,50 +158,22 @@ void tell_overlaps(const Scene& scene, const std::string& path, std::vector<Plac
   }
 }
 
-/// The box of a finger's whole way: of one made from a formula, that of as many places as tell it.
-Bounds path_bounds(const FingerPath& path) {
-  Bounds bounds;
-  if (const Motion* recording = path.recording()) {
-    bounds.min = recording->p_WQ.rowwise().minCoeff();
-    bounds.max = recording->p_WQ.rowwise().maxCoeff();
-    return bounds;
-  }
-  constexpr long many = 100000;
-  const long last = path.tick_count() - 1, stride = last / many + 1;
-  bounds.min = bounds.max = path.at(last).p_WQ;
-  for (long k = 0; k < last; k += stride) {
-    const Vec3 p_WQ = path.at(k).p_WQ;
-    bounds.min = bounds.min.cwiseMin(p_WQ);
-    bounds.max = bounds.max.cwiseMax(p_WQ);
-  }
-  return bounds;
-}
-
-/// "120 x 0 x 1.5 mm, from (-60, 10, 0) mm".
-std::string box_words(const Bounds& box) {
-  const auto mm = [](double m) { return rounded_text(std::round(1e9 * m) / 1e6 + 0.0, 5); };
-  const Vec3 size = box.max - box.min;
-  return fmt::format("{} x {} x {} mm, from ({}, {}, {}) mm", mm(size.x()), mm(size.y()), mm(size.z()),
-                     mm(box.min.x()), mm(box.min.y()), mm(box.min.z()));
-}
-
-/// On standard output what there is to follow; how it was read goes to standard error, as from replay.
-void tell_motion(const Scene& scene, const std::string& path, const LoadedMotion& motion, bool as_json) {
-  if (!as_json) {
-    print_out("{}: {} can be followed\n  motion         {} at {} Hz, {} s\n  in a box of    {}\n", path,
-              scene.motion.file.empty() ? "[motion]" : printable(scene.motion.file),
-              count_words(static_cast<std::size_t>(motion.path.tick_count()), "tick"),
-              rounded_text(motion.path.rate_hz(), 6),
-              rounded_text(motion.path.end_s() - motion.path.start_s(), 6),
-              box_words(path_bounds(motion.path)));
-  }
+/// On standard output, or in the parts' objects, what there is to follow; how it was read, and what is odd
+/// about it, goes to standard error.
+void tell_motion(const Scene& scene, const std::string& path, const LoadedMotion& motion,
+                 std::span<const PlacedSurface> surfaces, bool as_json, std::span<Json> parts) {
+  const MotionCheck check = look_at_motion(scene, motion, surfaces);
+  if (!as_json) print_out("{}", motion_text(check, path));
+  for (Json& part : parts) part["motion"] = motion_json(check);
   for (const std::string& note : motion.notes) print_err("fingerpad: {}\n", note);
   for (const std::string& warning : motion.warnings) print_err("fingerpad: warning: {}\n", warning);
+  if (const std::string hint = motion_hint(check, surfaces); !hint.empty())
+    print_err("fingerpad: warning: {}: {}\n", path, hint);
 }
 
 /// Of what a scene says beside its parts: refuses, or tells, what replay would before its first tick.
 void look_at_finger_and_motion(const Scene& scene, const std::string& path, const World& measured,
-                               bool as_json) {
+                               std::span<const PlacedSurface> surfaces, bool as_json, std::span<Json> parts) {
   refuse_missing_inputs(scene);
   refuse_huge_finger(measured, scene);
   std::optional<LoadedMotion> motion;
@@ -214,7 +182,7 @@ void look_at_finger_and_motion(const Scene& scene, const std::string& path, cons
     print_out("{}: can be touched\n  {} and no mesh: there is none to look at\n", path,
               count_words(scene.planes.size(), "plane"));
   if (motion)
-    tell_motion(scene, path, *motion, as_json);
+    tell_motion(scene, path, *motion, surfaces, as_json, parts);
   else if (!as_json)
     print_out("{}: has no [motion]: to touch and to view, not to replay\n", path);
   if (const std::string hint = finger_hint(measured, scene); !hint.empty())
@@ -246,11 +214,16 @@ bool check_scene(const std::string& path, bool as_json, Json& report) {
     surface.R_WP = entry.rotation;
   }
   if (!all_touchable) return false;
+  for (const PlaneEntry& plane : scene.planes) {
+    PlacedSurface& surface = surfaces.emplace_back();
+    surface.plane_point_W = plane.point_m;
+    surface.plane_normal_W = plane.normal;
+  }
   std::span<Json> parts;
   if (as_json) parts = std::span(report.get_ref<Json::array_t&>()).last(scene.parts.size());
   for (Json& part : parts) part["overlaps"] = Json::array();
-  tell_overlaps(scene, path, std::move(surfaces), parts);
-  look_at_finger_and_motion(scene, path, measured, as_json);
+  tell_overlaps(scene, path, surfaces, parts);
+  look_at_finger_and_motion(scene, path, measured, surfaces, as_json, parts);
   return all_touchable;
 }
 

@@ -10,9 +10,9 @@ bool LimitedSight::offer_part(int surface, const Vec3& z, std::span<const ProxyW
   if (looks_.is_unlimited()) return ProxySight::offer_part(surface, z, walls, round);
   const PartWay way(world_, surface, world_.in_part(surface, at_.place_O), z);
   const PartWalls before(world_, surface, walls, way.from_P);
-  const WaySieve sieve(world_, way, before, round.worst);
-  const PacketSieve asked = sieve.asked();
   const TriangleTree& tree = *world_.surface(surface).tree;
+  const WaySieve sieve(world_, way, before, round.worst, tree.packets_scale());
+  const PacketSieve asked = sieve.asked();
   auto offer = [&](int triangle) {
     looks_.spend(LookCosts::fetched_cleared + looks_at_further_walls(before));
     const TriangleCorners corners = corners_of(tree.part(), triangle);

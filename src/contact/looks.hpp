@@ -6,24 +6,25 @@ namespace fingerpad {
 /// nanoseconds, with room for memory that is slower than a part in a cache.
 struct LookCosts {
   static constexpr long packet = 6;           ///< a float filter looks at eight triangles at once
-  static constexpr long cluster = 2;          ///< four clusters are held against a ball, or a way
+  static constexpr long sieved = 2;           ///< ... and holds a way against them, besides
+  static constexpr long cluster = 2;          ///< four clusters are held against a ball
+  static constexpr long beside = 4;           ///< the same against a way
   static constexpr long passed_over = 3;      ///< the disc around eight triangles is held against a distance
   static constexpr long opened = 4;           ///< four clusters are put among those that are nearest
-  static constexpr long left_out = 6;         ///< a sieve leaves out eight: mostly the way to them
   static constexpr long further_wall = 2;     ///< a packet, or a triangle, is held against one more wall
   static constexpr long shadowed = 3;         ///< a triangle within reach is held against a shadow
   static constexpr long listed = 1;           ///< one that is found
   static constexpr long fetched = 5;          ///< its corners are fetched
   static constexpr long fetched_cleared = 4;  ///< the same for one that is held against its own plane
   static constexpr long told = 5;             ///< how a place stands before it is told anew
-  static constexpr long sweep = 1;            ///< the way is swept past it ...
-  static constexpr long sweep_step = 6;       ///< ... with so many of Newton's steps
+  static constexpr long sweep = 2;            ///< the way is swept past it ...
+  static constexpr long sweep_step = 10;      ///< ... with so many of Newton's steps
   static constexpr long of_few = 4;           ///< a pass goes over it in a small view, whatever becomes of it
   static constexpr long too_many = 200;       ///< a search for a few ends where there are more
   static constexpr long closest = 30;         ///< what is left of a packet's triangles is told exactly
   static constexpr long closest_cold = 50;    ///< the same of a part that no core's own cache holds
-  static constexpr long dipole = 2;           ///< a cluster of triangles is seen as one
-  static constexpr long angle = 8;            ///< the angle under which a triangle is seen
+  static constexpr long dipole = 1;           ///< a cluster of triangles is seen as one
+  static constexpr long angle = 5;            ///< the angle under which a triangle is seen
   static constexpr long projection = 32;      ///< onto four walls
   static constexpr long hop = 64;             ///< the way over an edge
 };

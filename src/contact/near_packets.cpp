@@ -26,11 +26,9 @@ WindingNumber::NearPackets::NearPackets(const WindingNumber& clusters, const Vec
     : clusters_(&clusters),
       is_far_(!fits_floats(at) || !fits_floats(half)),
       around_(is_far_ ? Around(Vec3::Zero(), beyond_floats) : Around(at, radius, half)),
-      is_way_(about == About::way && !is_far_ && half.squaredNorm() > shortest_way * shortest_way),
-      level_(clusters.top()),
-      at_(at),
-      half_(half),
-      radius_(radius) {
+      level_(clusters.top()) {
+  if (about == About::way && !is_far_ && half.squaredNorm() > shortest_way * shortest_way)
+    along_.emplace(at, radius, half);
   if (from == 0) {
     look_into(0);
     return;
@@ -45,21 +43,6 @@ WindingNumber::NearPackets::NearPackets(const WindingNumber& clusters, const Vec
     if (level_ == clusters.top()) break;
   }
   level_ = 0;
-}
-
-/// Of the four clusters those of which no ball around comes within the radius of the way.
-void WindingNumber::NearPackets::leave_beside(const Four& four) noexcept {
-  constexpr double rounding = 1e-5;
-  ++tests_;
-  const double per_length2 = 1 / half_.squaredNorm();
-  for (unsigned among = near_[level_]; among != 0; among &= among - 1) {
-    const int k = std::countr_zero(among);
-    const Vec3 off = Vec3(four.middle[0][k], four.middle[1][k], four.middle[2][k]) - at_;
-    const double size = Vec3(four.half[0][k], four.half[1][k], four.half[2][k]).norm();
-    const double share = std::clamp(off.dot(half_) * per_length2, -1.0, 1.0);
-    const double reach = radius_ + size + rounding * (1 + radius_ + size);
-    if ((off - share * half_).squaredNorm() > reach * reach) near_[level_] &= ~(1U << k);
-  }
 }
 
 std::size_t WindingNumber::some_near(const Vec3& at) const noexcept {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <bit>
+#include <optional>
 
 #include "contact/winding_number.hpp"
 
@@ -28,7 +29,6 @@ class WindingNumber::NearPackets {
   void shrink(double radius) noexcept {
     if (is_far_) return;
     around_.shrink(radius);
-    radius_ = radius;
   }
 
   /// False when there is no more.
@@ -59,18 +59,17 @@ class WindingNumber::NearPackets {
     first_[level_] = first;
     const Four& four = clusters_->four(level_, first);
     near_[level_] = around_.near(four);
-    if (is_way_ && near_[level_] != 0) leave_beside(four);
+    if (!along_ || near_[level_] == 0) return;
+    ++tests_;
+    near_[level_] &= along_->near(four);
   }
-  void leave_beside(const Four& four) noexcept;
 
   const WindingNumber* clusters_;
   bool is_far_;  // than floats go: all packets count as near
   Around around_;
-  bool is_way_;
+  std::optional<Along> along_;
   std::size_t level_;
   long tests_ = 0;
-  Vec3 at_, half_;
-  double radius_;
   std::array<std::size_t, most_levels> first_;  // of the four clusters that are open on each level
   std::array<unsigned, most_levels> near_;      // those of them that are still to be gone into, a bit each
 };

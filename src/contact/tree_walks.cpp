@@ -140,6 +140,10 @@ bool TriangleTree::each_within(const Vec3& q, double reach_m, const KeptPoint* k
   return !limit.is_exceeded();
 }
 
+double TriangleTree::packets_scale() const noexcept {
+  return impl_->packed.scale;
+}
+
 bool TriangleTree::each_beside(const Vec3& q, const Vec3& way, double reach_m, std::size_t& next,
                                Looks& looks, const PacketSieve* sieve,
                                void (*visit)(void* context, int triangle), void* context) const noexcept {
@@ -162,25 +166,27 @@ bool TriangleTree::each_beside(const Vec3& q, const Vec3& way, double reach_m, s
   for (long paid = 0; !looks.are_spent();) {
     std::size_t index = packed.packets.size();
     const bool is_found = near.next(index);
-    looks.spend(LookCosts::cluster * (near.tests() - std::exchange(paid, near.tests())));
+    looks.spend(LookCosts::beside * (near.tests() - std::exchange(paid, near.tests())));
     next = index + 1;
     if (!is_found) return true;
-    if (sieve != nullptr && sieve->passes_over(sieve->context, packed.discs[index], 1 / packed.scale)) {
+    if (sieve != nullptr && sieve->passes_over(sieve->context, packed.discs[index])) {
       looks.spend(LookCosts::passed_over);
       continue;
     }
     const TrianglePacket& packet = packed.packets[index];
-    if (sieve != nullptr && sieve->leaves_out(sieve->context, packet, 1 / packed.scale)) {
-      looks.spend(LookCosts::left_out + sieve->further_looks);
-      continue;
-    }
+    looks.spend(LookCosts::packet);
     if (is_far) {
       search.look_from_afar_at(packet);
-    } else if (is_box_near(packet, search.scaled, radius, half_box)) {
+    } else if (!is_box_near(packet, search.scaled, radius, half_box)) {
+      continue;
+    } else if (sieve != nullptr) {
+      looks.spend(LookCosts::sieved + sieve->further_looks);
+      for (unsigned lanes = sieve->leaves(sieve->context, packet); lanes != 0; lanes &= lanes - 1)
+        count_and_visit(&counting, packet.exact[static_cast<std::size_t>(std::countr_zero(lanes))].triangle);
+    } else {
       search.look_at(packet);
     }
-    if (sieve != nullptr) looks.spend(sieve->further_looks);
-    looks.spend(LookCosts::packet + std::exchange(counting.count, 0));
+    looks.spend(std::exchange(counting.count, 0));
   }
   return false;
 }

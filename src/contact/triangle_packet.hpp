@@ -14,7 +14,7 @@ namespace fingerpad {
 /// How many triangles a packet holds: a vector register of floats.
 inline constexpr int packet_width = 8;
 
-/// How far a flat disc reaches beyond its centre in a direction (unit).
+/// How far a flat disc reaches beyond its centre in a direction, times the direction's length.
 /// @param across  about a unit vector, normal to the disc
 inline double highest_of_disc(const Vec3& direction, const Vec3& across, double radius,
                               double half_thickness) noexcept {
@@ -93,7 +93,7 @@ struct alignas(32) PacketDisc {
   float across[3];  ///< about a unit vector
   float thick;      ///< nothing of the packet is farther from the plane through the centre
 
-  /// How far at most something of the packet stands beyond the centre in a direction (unit).
+  /// How far at most something of the packet stands beyond the centre in a direction, times its length.
   double highest(const Vec3& direction) const noexcept {
     return highest_of_disc(direction, Vec3(across[0], across[1], across[2]), radius, thick);
   }

@@ -15,14 +15,14 @@ struct KeptPoint;
 struct PacketDisc;
 struct TrianglePacket;
 
-/// Says of which packets of triangles nothing is wanted.
+/// Says what of a packet of triangles may be wanted.
 struct PacketSieve {
   /// By the disc around one, which is soon at hand.
-  /// @param scaled_m  how long a length of 1 in the packet is [m], a power of two
-  bool (*passes_over)(const void* context, const PacketDisc& disc, double scaled_m) noexcept;
-  bool (*leaves_out)(const void* context, const TrianglePacket& packet, double scaled_m) noexcept;
+  bool (*passes_over)(const void* context, const PacketDisc& disc) noexcept;
+  /// Of one that is near the lanes of which something may be wanted, a bit each.
+  unsigned (*leaves)(const void* context, const TrianglePacket& packet) noexcept;
   const void* context;
-  long further_looks = 0;  ///< that `leaves_out` takes for a packet, beside what LookCosts says
+  long further_looks = 0;  ///< that `leaves` takes for a packet, beside what LookCosts says
 };
 
 /// The closest triangle of a part to a point.
@@ -172,6 +172,9 @@ class TriangleTree {
   bool each_beside(const Vec3& q, const Vec3& way, double reach_m, std::size_t& next, Looks& looks,
                    const PacketSieve* sieve, void (*visit)(void* context, int triangle),
                    void* context) const noexcept;
+
+  /// The lengths of a PacketSieve's packets and discs, of one metre.
+  double packets_scale() const noexcept;
 
   /// The first triangle that the segment from `from` to `to` crosses from the outside to the inside, that is
   /// against the facet's normal; both ends count. Watertight (Woop, Benthin & Wald 2013, in double): no

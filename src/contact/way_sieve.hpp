@@ -5,6 +5,7 @@
 
 #include "contact/triangle_packet.hpp"
 #include "contact/triangle_tree.hpp"
+#include "contact/way_filter.hpp"
 #include "contact/worst_wall.hpp"
 
 namespace fingerpad {
@@ -27,72 +28,108 @@ inline long looks_at_further_walls(const PartWalls& before) noexcept {
   return LookCosts::further_wall * std::max(0L, static_cast<long>(before.walls().size()) - 1);
 }
 
-/// Leaves out those packets of a part of which no triangle can be a worse wall to a ball's way than the worst
-/// so far, or stands before the walls that the ball stays in front of anyway.
+/// Leaves out those triangles of a part that cannot be a worse wall to a ball's way than the worst so far, or
+/// stand behind walls that the ball stays in front of anyway.
 ///
-/// A sweep's first tangent bounds how far its wall is breached (TriangleSweep): with f a triangle's foot, q
-/// the way's start, w the way and R the clearance, the wall's slack is at least |q - f| - R + w.(q - f)/|q -
-/// f|. Where all corners lie within r of a packet's middle m, and D = |q - m| > r, |q - f| is at least D - r,
-/// and q - f is turned off q - m by at most asin(r/D), so that the last term is at least
-/// w.(q - m)/D cos(asin(r/D)) - |w| r/D.
+/// Neighbours on a fine smooth surface lie in a flat disc. With m its centre, u a unit vector and h how far
+/// the disc reaches beyond m along u, each of them is at least u.(x - m) - h from any x: where that is the
+/// clearance at both ends of the way, it is all along. With u from m to the middle of the way this leaves, of
+/// a surface that the ball lies on, what is within about a disc's width of where it touches.
 ///
-/// Neighbours on a fine smooth surface lie in a flat disc besides. With m now its centre, u a unit
-/// vector and h how far the disc reaches beyond m along u, each of them is at least u.(x - m) - h from any x:
-/// where that is the clearance at both ends of the way, it is all along. With u from m to the middle of the
-/// way this leaves, of a surface that the ball lies on, what is within about a disc's width of where it
-/// touches.
+/// A packet's triangles are held against the way all at once, in floats (WayFilter). Slivers have no rough
+/// frame, but what bounds a packet's triangles bounds them together: a sweep's first tangent tells how far
+/// its wall is breached at most (TriangleSweep). With f a triangle's foot, q the way's start, w the way and R
+/// the clearance, the wall's slack is at least |q - f| - R + w.(q - f)/|q - f|. Where all corners lie within
+/// r of a packet's middle m, and D = |q - m| > r, |q - f| is at least D - r, and q - f is turned off q - m by
+/// at most asin(r/D), so that the last term is at least w.(q - m)/D cos(asin(r/D)) - |w| r/D.
 class WaySieve {
  public:
   /// @param before  the walls, seen from the way's start
   /// @param worst   may become worse as the sieve is used
-  WaySieve(const ProxyWorld& world, const PartWay& way, const PartWalls& before,
-           const WorstWall& worst) noexcept
-      : way_(way),
-        before_(before),
+  /// @param scale   of the packets' lengths, of one metre
+  WaySieve(const ProxyWorld& world, const PartWay& way, const PartWalls& before, const WorstWall& worst,
+           double scale) noexcept
+      : before_(before),
         worst_(worst),
-        clearance_m_(world.clearance_m()),
-        rounding_m_(world.tolerance_m()),
-        way_m_(way.way_P.norm()) {}
+        scale_(scale),
+        start_(scale * way.from_P),
+        way_(scale * way.way_P),
+        middle_(start_ + 0.5 * way_),
+        length_(way_.norm()),
+        clearance_(scale * world.clearance_m()),
+        tolerance_(scale * world.tolerance_m()) {}
 
   PacketSieve asked() const noexcept {
-    return {[](const void* sieve, const PacketDisc& disc, double scaled_m) noexcept {
-              return static_cast<const WaySieve*>(sieve)->passes_over(disc, scaled_m);
+    return {[](const void* sieve, const PacketDisc& disc) noexcept {
+              return static_cast<const WaySieve*>(sieve)->passes_over(disc);
             },
-            [](const void* sieve, const TrianglePacket& packet, double scaled_m) noexcept {
-              return static_cast<const WaySieve*>(sieve)->leaves_out(packet, scaled_m);
+            [](const void* sieve, const TrianglePacket& packet) noexcept {
+              return static_cast<const WaySieve*>(sieve)->leaves(packet);
             },
             this, looks_at_further_walls(before_)};
   }
 
-  /// @param scaled_m  PacketSieve's
-  bool passes_over(const PacketDisc& disc, double scaled_m) const noexcept {
-    const Vec3 centre_m = scaled_m * Vec3(disc.centre[0], disc.centre[1], disc.centre[2]);
-    const Vec3 off = way_.from_P + 0.5 * way_.way_P - centre_m;
-    const double distance_m = off.norm();
-    const Vec3 out = off / distance_m;
-    const double nearer_m = distance_m - 0.5 * std::abs(out.dot(way_.way_P));
-    return nearer_m - scaled_m * disc.highest(out) >= clearance_m_ - rounding_m_;
+  bool passes_over(const PacketDisc& disc) const noexcept {
+    const Vec3 off = middle_ - Vec3(disc.centre[0], disc.centre[1], disc.centre[2]);
+    const double distance = off.norm();
+    return distance * (distance - clearance_ + tolerance_) - 0.5 * std::abs(off.dot(way_)) >
+           disc.highest(off);
   }
 
-  /// @param scaled_m  PacketSieve's
-  bool leaves_out(const TrianglePacket& packet, double scaled_m) const noexcept {
-    const Vec3 off = way_.from_P - scaled_m * packet.origin;
-    const double distance_m = off.norm(), radius_m = scaled_m * static_cast<double>(packet.radius);
-    if (distance_m > radius_m) {
-      const double sine = radius_m / distance_m;
-      const double slope_m = off.dot(way_.way_P) / distance_m * std::sqrt(1 - sine * sine) - way_m_ * sine;
-      if (distance_m - radius_m - clearance_m_ + slope_m > worst_.slack_m + rounding_m_) return true;
-    }
-    return std::any_of(before_.walls().begin(), before_.walls().end(), [&](const PartWalls::Wall& wall) {
-      return scaled_m * (wall.normal_P.dot(packet.origin) + packet.highest(wall.normal_P)) <= wall.offset_m;
-    });
+  /// The lanes of the triangles that may matter.
+  unsigned leaves(const TrianglePacket& packet) const noexcept {
+    const unsigned lanes = filter_(packet, seen_from(packet)) & ~unsigned{packet.always_exact};
+    const unsigned slivers = packet.always_exact != 0 && !leaves_out(packet) ? packet.always_exact : 0;
+    return (lanes | slivers) & packet.used;
   }
 
  private:
-  const PartWay& way_;
+  RoughWay seen_from(const TrianglePacket& packet) const noexcept {
+    RoughWay seen;
+    const Vec3 start = start_ - packet.origin;
+    for (int i = 0; i < 3; ++i) {
+      seen.start[static_cast<std::size_t>(i)] = static_cast<float>(start[i]);
+      seen.way[static_cast<std::size_t>(i)] = static_cast<float>(way_[i]);
+    }
+    seen.length = static_cast<float>(length_);
+    seen.clearance = static_cast<float>(clearance_);
+    seen.worst = static_cast<float>(scale_ * worst_.slack_m);
+    const double size = start.norm() + length_ + clearance_ + 2 * static_cast<double>(packet.radius);
+    const double margin = static_cast<double>(way_margin) * size + sweep_tolerances * tolerance_;
+    seen.margin = static_cast<float>(margin);
+    seen.wall_count = before_.walls().size();
+    for (std::size_t k = 0; k < seen.wall_count; ++k) {
+      const PartWalls::Wall& wall = before_.walls()[k];
+      for (int i = 0; i < 3; ++i)
+        seen.walls[k].normal[static_cast<std::size_t>(i)] = static_cast<float>(wall.normal_P[i]);
+      seen.walls[k].offset =
+          static_cast<float>(scale_ * wall.offset_m - wall.normal_P.dot(packet.origin) - margin);
+    }
+    return seen;
+  }
+
+  bool leaves_out(const TrianglePacket& packet) const noexcept {
+    const Vec3 off = start_ - packet.origin;
+    const double distance = off.norm(), radius = static_cast<double>(packet.radius);
+    if (distance > radius) {
+      const double sine = radius / distance;
+      const double slope = off.dot(way_) / distance * std::sqrt(1 - sine * sine) - length_ * sine;
+      if (distance - radius - clearance_ + slope > scale_ * worst_.slack_m + tolerance_) return true;
+    }
+    return std::any_of(before_.walls().begin(), before_.walls().end(), [&](const PartWalls::Wall& wall) {
+      return wall.normal_P.dot(packet.origin) + packet.highest(wall.normal_P) <= scale_ * wall.offset_m;
+    });
+  }
+
+  /// A sweep ends a tolerance in front of its triangle: the filter's tangents stay farther in front of it.
+  static constexpr double sweep_tolerances = 4;
+
   const PartWalls& before_;
   const WorstWall& worst_;
-  double clearance_m_, rounding_m_, way_m_;
+  double scale_;
+  Vec3 start_, way_, middle_;  // all lengths scaled
+  double length_, clearance_, tolerance_;
+  WayFilter filter_ = fastest_way_filter();
 };
 
 }  // namespace fingerpad

@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "base/large_pages.hpp"
+#include "contact/four_floats.hpp"
 
 namespace fingerpad {
 namespace {
@@ -19,9 +20,6 @@ namespace {
 constexpr double far_away = 4, very_far_away = 10;
 /// Up to so many it is known best by summing up all triangles; of more that would take many ticks.
 constexpr std::size_t few_packets = 4096 / packet_width;
-/// What rounding to float may take off the distance between a point and a box: a share of that, and of the
-/// part's box and the point's coordinates.
-constexpr float radius_rounding = 1e-5F, place_rounding = 2e-6F;
 /// What the dipoles' error may make of a winding number, with room to spare.
 constexpr double unclear = 0.1;
 
@@ -97,6 +95,38 @@ void WindingNumber::Four::set(std::size_t k, const Eigen::AlignedBox3f& box) noe
   }
 }
 
+WindingNumber::Along::Along(const Vec3& middle, double radius, const Vec3& half_way) noexcept {
+  const double per_length2 = 1 / half_way.squaredNorm();
+  double farthest = 1;
+  for (int i = 0; i < 3; ++i) {
+    at[i] = static_cast<float>(middle[i]);
+    half[i] = static_cast<float>(half_way[i]);
+    share[i] = static_cast<float>(half_way[i] * per_length2);
+    farthest += std::abs(middle[i]) + std::abs(half_way[i]);
+  }
+  reach = static_cast<float>(radius) * (1 + Around::radius_rounding) +
+          static_cast<float>(farthest) * Around::place_rounding;
+}
+
+unsigned WindingNumber::Along::near(const Four& four) const noexcept {
+  using namespace four_floats;
+  FourFloats off[3], size2 = {}, along = {};
+  for (int i = 0; i < 3; ++i) {
+    const FourFloats size = load(four.half[i]);
+    off[i] = load(four.middle[i]) - at[i];
+    size2 += size * size;
+    along += off[i] * share[i];
+  }
+  along = lesser_of(greater_of(along, FourFloats{} - 1.0F), FourFloats{} + 1.0F);
+  FourFloats beside2 = {};
+  for (int i = 0; i < 3; ++i) {
+    const FourFloats beside = off[i] - along * half[i];
+    beside2 += beside * beside;
+  }
+  const FourFloats within = root_of(size2) * (1 + Around::radius_rounding) + reach;
+  return to_mask(beside2 <= within * within);
+}
+
 WindingNumber::Around::Around(const Vec3& point, double radius, const Vec3& half) noexcept {
   shrink(radius);
   float rounding = 1;
@@ -115,25 +145,11 @@ void WindingNumber::Around::shrink(double radius) noexcept {
 }
 
 unsigned WindingNumber::Around::near(const Four& four) const noexcept {
-  using Floats [[gnu::vector_size(16)]] = float;
-  const auto load = [](const float* lanes) { return *reinterpret_cast<const Floats*>(lanes); };
-#if defined(__SSE__)
-  const auto greater = [](const Floats& a, const Floats& b) { return __builtin_ia32_maxps(a, b); };
-  const auto to_mask = [](const auto& all_or_nothing) {
-    return static_cast<unsigned>(__builtin_ia32_movmskps(reinterpret_cast<const Floats&>(all_or_nothing)));
-  };
-#else
-  const auto greater = [](const Floats& a, const Floats& b) { return a > b ? a : b; };
-  const auto to_mask = [](const auto& all_or_nothing) {
-    unsigned mask = 0;
-    for (int k = 0; k < 4; ++k) mask |= static_cast<unsigned>(all_or_nothing[k] & 1) << k;
-    return mask;
-  };
-#endif
-  Floats beyond2 = {};
+  using namespace four_floats;
+  FourFloats beyond2 = {};
   for (int i = 0; i < 3; ++i) {
-    const Floats off = load(four.middle[i]) - at[i];
-    const Floats beyond = greater(greater(off, -off) - load(four.half[i]) - slack[i], Floats{});
+    const FourFloats off = load(four.middle[i]) - at[i];
+    const FourFloats beyond = greater_of(greater_of(off, -off) - load(four.half[i]) - slack[i], FourFloats{});
     beyond2 += beyond * beyond;
   }
   return to_mask(beyond2 <= radius2);

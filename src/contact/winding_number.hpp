@@ -66,12 +66,26 @@ class WindingNumber {
   };
   /// A ball about a point, as clusters are held against it.
   struct Around {
+    /// What rounding to float may take off the distance between a point and a box: a share of that, and of
+    /// the part's box and the point's coordinates.
+    static constexpr float radius_rounding = 1e-5F, place_rounding = 2e-6F;
+
     float at[3], radius2, slack[3];
 
     /// @param half  the ball is moved about within a box of such half sides
     Around(const Vec3& point, double radius, const Vec3& half = Vec3::Zero()) noexcept;
     void shrink(double radius) noexcept;
     /// Of four clusters those whose boxes come within the ball, a bit each.
+    unsigned near(const Four& four) const noexcept;
+  };
+  /// A ball that moves along a way.
+  struct Along {
+    float at[3], half[3];  ///< the way's middle, and from there to its end
+    float share[3];        ///< what the way to a place off the middle is a share of `half` by
+    float reach;
+
+    Along(const Vec3& middle, double radius, const Vec3& half_way) noexcept;
+    /// Of four clusters those of which a ball around comes within reach of the way.
     unsigned near(const Four& four) const noexcept;
   };
 

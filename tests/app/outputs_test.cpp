@@ -289,7 +289,40 @@ TEST(Check, TellsHowAScenesMotionWasReadAndHowFarItGoes) {
        {"x is 'X'", "cells parted by ';'", "decimal mark ','", "positions in mm", "times in ms"})
     EXPECT_THAT(check.err, HasSubstr(said));
   const auto report = nlohmann::json::parse(test::fingerpad("check s.toml --json", folder).out);
-  EXPECT_EQ(report.size(), 1u) << "an object for each mesh";
+  ASSERT_EQ(report.size(), 1u) << "an object for each mesh";
+  const auto& motion = report[0]["motion"];
+  EXPECT_EQ(motion["name"], "rub.csv");
+  EXPECT_EQ(motion["ticks"], 3);
+  EXPECT_EQ(motion["rate_hz"], 500);
+  EXPECT_NEAR(motion["duration_s"], 0.004, 1e-12);
+  EXPECT_NEAR(motion["bounds_m"]["max"][0], 0.02, 1e-12);
+  EXPECT_EQ(motion["nearest_m"], 0) << "it goes through the box";
+}
+
+TEST(Check, TellsOfAMotionThatTouchesNothingAndOfOneThatGoesFarBeyond) {
+  const fs::path folder = folder_with_inputs();
+  const auto check = [&folder](const std::string& finger, const std::string& motion) {
+    std::ofstream(folder / "s.toml") << "[[part]]\nmesh = \"box.stl\"\n[finger]\n" + finger + "\n[motion]\n" +
+                                            motion;
+    const ShellResult told = test::fingerpad("check s.toml", folder);
+    EXPECT_EQ(told.exit_code, 0) << told.err;
+    return told.err;
+  };
+  const std::string over =
+      "kind = \"line\"\nfrom_m = [0, 0, 0.1]\nto_m = [0.01, 0, 0.1]\nspeed_m_per_s = 0.01\n";
+  const std::string near = check("radius_m = 0.002", over),
+                    nothing = "touches nothing: the finger comes no nearer than ";
+  ASSERT_THAT(near, HasSubstr(nothing));
+  const double told_mm = std::stod(near.substr(near.find(nothing) + nothing.size()));
+  const double distance_mm =
+      1e3 *
+      nlohmann::json::parse(test::fingerpad("check s.toml --json", folder).out)[0]["motion"]["nearest_m"]
+          .get<double>();
+  EXPECT_NEAR(told_mm, distance_mm, 1e-3);
+  EXPECT_THAT(check("radius_m = 0.1", over), Not(HasSubstr("touches nothing"))) << "a ball of that size does";
+  EXPECT_THAT(check("radius_m = 0.002",
+                    "kind = \"line\"\nfrom_m = [-20, 0, 0]\nto_m = [20, 0, 0]\nspeed_m_per_s = 40\n"),
+              HasSubstr("[motion] goes 40000 mm far, "));
 }
 
 TEST(Refusals, OfASubcommandNameTheNearest) {

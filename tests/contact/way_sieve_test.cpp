@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
+#include <cmath>
+
 #include "base/random_stream.hpp"
 #include "contact/packed_part.hpp"
 #include "contact/proxies.hpp"
@@ -36,12 +39,12 @@ struct Stand {
         before(walls(random)),
         worst{std::nullopt, -world.tolerance_m() - (random.uniform() < 0.5 ? 0 : 0.01 * random.uniform())} {}
 
-  /// Clear of the surface by a share of the way there.
+  /// Clear of the surface, or touching it.
   static Vec3 start(const PlacedSurface& surface, double clearance_m, RandomStream& random) {
     const Vec3 q = 0.03 * any(random);
     const ClosestTriangle near = surface.tree->closest(q, -1, HUGE_VAL);
     const Vec3 out = (q - near.at.point).normalized();
-    return near.at.point + (clearance_m + 1e-3 * random.uniform()) * out;
+    return near.at.point + (clearance_m + (random.uniform() < 0.5 ? 0 : 1e-3 * random.uniform())) * out;
   }
   PartWalls walls(RandomStream& random) const {
     ProxyWall wall;
@@ -67,14 +70,15 @@ TEST(WaySieve, LeavesOutNothingThatMatters) {
     const PackedPart packed = pack(std::make_shared<const Part>(surface.tree->part()));
     for (int k = 0; k < 300; ++k) {
       const Stand s(surface, random);
-      const WaySieve sieve(s.world, s.way, s.before, s.worst);
+      const WaySieve sieve(s.world, s.way, s.before, s.worst, packed.scale);
       for (std::size_t i = 0; i < packed.packets.size(); ++i) {
         const TrianglePacket& packet = packed.packets[i];
-        const bool is_passed_over = sieve.passes_over(packed.discs[i], 1 / packed.scale);
-        const bool is_left_out = is_passed_over || sieve.leaves_out(packet, 1 / packed.scale);
+        const bool is_passed_over = sieve.passes_over(packed.discs[i]);
         passed_over += is_passed_over ? 1 : 0;
-        left_out += is_left_out ? 1 : 0;
+        const unsigned lanes = sieve.leaves(packet);
         for (int lane = 0; lane < packet_width && (packet.used >> lane & 1) != 0; ++lane) {
+          const bool is_left_out = is_passed_over || (lanes >> lane & 1) == 0;
+          left_out += is_left_out ? 1 : 0;
           const bool does_matter = s.matters(packet.exact[static_cast<std::size_t>(lane)].triangle);
           matter += does_matter ? 1 : 0;
           ASSERT_FALSE(is_left_out && does_matter) << k;
@@ -85,6 +89,60 @@ TEST(WaySieve, LeavesOutNothingThatMatters) {
   EXPECT_GT(matter, 1000);
   EXPECT_GT(left_out, 20 * matter) << "most of a part";
   EXPECT_GT(passed_over, 10 * matter);
+}
+
+TEST(WaySieve, PassesOverNoPacketThatTheWayGoesThrough) {
+  const PlacedSurface surface = trial_surfaces().front();
+  const PackedPart packed = pack(std::make_shared<const Part>(surface.tree->part()));
+  const ProxyWorld world({surface}, 0.002, Normals::facet);
+  for (const PacketDisc& disc : packed.discs) {
+    const Vec3 centre_m = Vec3(disc.centre[0], disc.centre[1], disc.centre[2]) / packed.scale;
+    for (const Vec3& half_m : {Vec3(0.001, 0, 0), Vec3(0, 0, -0.01)}) {
+      const PartWay way(world, 0, centre_m - half_m, 2 * half_m);
+      const PartWalls none(world, 0, {}, way.from_P);
+      const WorstWall worst{std::nullopt, -world.tolerance_m()};
+      ASSERT_FALSE(WaySieve(world, way, none, worst, packed.scale).passes_over(disc));
+    }
+  }
+}
+
+/// A way past a packet as no search makes it: of any length, from any place, with any walls.
+RoughWay any_way(RandomStream& random, const TrianglePacket& packet) {
+  const auto some = [&random](double size) { return static_cast<float>(size * random.normal()); };
+  const double size = std::pow(10, -4 + 5 * random.uniform());
+  RoughWay way{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    way.start[i] = some(size);
+    way.way[i] = some(size);
+    for (RoughWay::Wall& wall : way.walls) wall.normal[i] = some(1);
+  }
+  for (RoughWay::Wall& wall : way.walls)
+    wall.offset = some(static_cast<double>(packet.radius)) - packet.radius;
+  way.length = std::hypot(way.way[0], way.way[1], way.way[2]);
+  way.clearance = random.uniform() < 0.2 ? 0 : static_cast<float>(size * random.uniform());
+  way.worst = static_cast<float>(-size * std::pow(10, -8 * random.uniform()));
+  way.margin = way_margin * static_cast<float>(size);
+  way.wall_count = static_cast<std::size_t>(4 * random.uniform());
+  return way;
+}
+
+TEST(WayFilter, NamesTheSameLanesOnEveryMachine) {
+  RandomStream random(34);
+  long lanes = 0, all = 0;
+  for (const PlacedSurface& surface : trial_surfaces()) {
+    const PackedPart packed = pack(std::make_shared<const Part>(surface.tree->part()));
+    for (int k = 0; k < 30; ++k) {
+      for (const TrianglePacket& packet : packed.packets) {
+        const RoughWay way = any_way(random, packet);
+        const unsigned named = plain_way_filter()(packet, way);
+        ASSERT_EQ(named, fastest_way_filter()(packet, way));
+        lanes += std::popcount(named & packet.used);
+        all += std::popcount(unsigned{packet.used});
+      }
+    }
+  }
+  EXPECT_GT(lanes, all / 50);
+  EXPECT_LT(lanes, all / 2);
 }
 
 TEST(FacetSide, ClearsNoTriangleThatMatters) {
