@@ -163,7 +163,7 @@ void tell_overlaps(const Scene& scene, const std::string& path, const std::vecto
 void tell_motion(const Scene& scene, const std::string& path, const LoadedMotion& motion,
                  std::span<const PlacedSurface> surfaces, bool as_json, std::span<Json> parts) {
   const MotionCheck check = look_at_motion(scene, motion, surfaces);
-  if (!as_json) print_out("{}", motion_text(check, path));
+  if (!as_json) write_stream(stdout, motion_text(check, path));
   for (Json& part : parts) part["motion"] = motion_json(check);
   for (const std::string& note : motion.notes) print_err("fingerpad: {}\n", note);
   for (const std::string& warning : motion.warnings) print_err("fingerpad: warning: {}\n", warning);

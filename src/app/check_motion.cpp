@@ -2,14 +2,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "base/count_words.hpp"
 #include "base/number_text.hpp"
 #include "base/printable_text.hpp"
 #include "contact/closest_memory.hpp"
+#include "contact/triangle_tree.hpp"
+#include "part/part.hpp"
 #include "scene/scene.hpp"
 
 namespace fingerpad {
@@ -44,6 +48,19 @@ double distance_m(std::span<const PlacedSurface> surfaces, std::span<ClosestMemo
   return nearest_m;
 }
 
+/// Whether the way between two ticks' places goes through a part: a proxy is held there.
+bool crosses_a_part(std::span<const PlacedSurface> surfaces, const Vec3& from_W, const Vec3& to_W) {
+  return std::any_of(surfaces.begin(), surfaces.end(), [&](const PlacedSurface& surface) {
+    if (surface.is_plane()) return false;
+    const auto from_centre = [&](const Vec3& p_W) {
+      return Vec3(surface.R_WP.transpose() * (p_W - surface.p_WP) - surface.part->centre_P);
+    };
+    const Vec3 from = from_centre(from_W), to = from_centre(to_W);
+    return surface.tree->first_crossing(from, to).triangle >= 0 ||
+           surface.tree->first_crossing(to, from).triangle >= 0;
+  });
+}
+
 Bounds box_of(std::span<const PlacedSurface> surfaces) {
   Bounds all;
   bool any = false;
@@ -72,11 +89,14 @@ MotionCheck look_at_motion(const Scene& scene, const LoadedMotion& motion,
   check.box_W.min = check.box_W.max = path.at(last).p_WQ;
   std::vector<ClosestMemory> memories(surfaces.size());
   double nearest_m = std::numeric_limits<double>::infinity();
+  Vec3 before_W = path.at(0).p_WQ;
   const auto go_to = [&](const Vec3& p_WQ) {
     check.box_W.min = check.box_W.min.cwiseMin(p_WQ);
     check.box_W.max = check.box_W.max.cwiseMax(p_WQ);
     if (nearest_m > scene.finger.radius_m)
-      nearest_m = std::min(nearest_m, distance_m(surfaces, memories, p_WQ, nearest_m));
+      nearest_m = crosses_a_part(surfaces, std::exchange(before_W, p_WQ), p_WQ)
+                      ? 0
+                      : std::min(nearest_m, distance_m(surfaces, memories, p_WQ, nearest_m));
   };
   for (long k = 0; k < last; k += stride) go_to(path.at(k).p_WQ);
   go_to(path.at(last).p_WQ);

@@ -23,7 +23,7 @@ struct LookCosts {
   static constexpr long too_many = 200;       ///< a search for a few ends where there are more
   static constexpr long closest = 30;         ///< what is left of a packet's triangles is told exactly
   static constexpr long closest_cold = 50;    ///< the same of a part that no core's own cache holds
-  static constexpr long dipole = 1;           ///< a cluster of triangles is seen as one
+  static constexpr long dipole = 2;           ///< a cluster of triangles is seen as one
   static constexpr long angle = 5;            ///< the angle under which a triangle is seen
   static constexpr long projection = 32;      ///< onto four walls
   static constexpr long hop = 64;             ///< the way over an edge

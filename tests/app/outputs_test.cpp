@@ -296,7 +296,7 @@ TEST(Check, TellsHowAScenesMotionWasReadAndHowFarItGoes) {
   EXPECT_EQ(motion["rate_hz"], 500);
   EXPECT_NEAR(motion["duration_s"], 0.004, 1e-12);
   EXPECT_NEAR(motion["bounds_m"]["max"][0], 0.02, 1e-12);
-  EXPECT_EQ(motion["nearest_m"], 0) << "it goes through the box";
+  EXPECT_EQ(motion["nearest_m"], 0) << "the way from tick to tick goes through the box";
 }
 
 TEST(Check, TellsOfAMotionThatTouchesNothingAndOfOneThatGoesFarBeyond) {
