@@ -20,7 +20,6 @@
 #include "contact/overlap.hpp"
 #include "contact/part_measures.hpp"
 #include "contact/triangle_tree.hpp"
-#include "part/bounds.hpp"
 #include "part/import.hpp"
 #include "part/mesh_format.hpp"
 #include "part/unit_hint.hpp"
@@ -167,7 +166,8 @@ void tell_motion(const Scene& scene, const std::string& path, const LoadedMotion
   for (Json& part : parts) part["motion"] = motion_json(check);
   for (const std::string& note : motion.notes) print_err("fingerpad: {}\n", note);
   for (const std::string& warning : motion.warnings) print_err("fingerpad: warning: {}\n", warning);
-  if (const std::string hint = motion_hint(check, surfaces); !hint.empty())
+  // Where a hand goes its goal does not tell.
+  if (const std::string hint = scene.hand ? "" : motion_hint(check, surfaces); !hint.empty())
     print_err("fingerpad: warning: {}: {}\n", path, hint);
 }
 

@@ -15,8 +15,9 @@ struct MotionCheck {
   std::string name;  ///< the recording's file, or "[motion]"
   long ticks = 0;
   double rate_hz = 0, duration_s = 0;
-  Bounds box_W;          ///< of the finger's whole way [m]
-  double nearest_m = 0;  ///< the finger's skin from what it comes nearest to; 0 where it touches something
+  Bounds box_W;  ///< of the finger's whole way [m]
+  double nearest_m =
+      0;  ///< the finger's skin from what it comes nearest to at its ticks; 0 where it touches something
 };
 
 /// Goes along the motion, or along so many of its ticks as tell it.

@@ -24,7 +24,7 @@ FINGERPAD_INLINED void load(EightFloats& v, const TrianglePacket::Lanes& lanes) 
 
 FINGERPAD_INLINED unsigned to_mask(const EightBits& all_or_nothing) noexcept {
 #if defined(__SSE__)
-  using Four [[gnu::vector_size(16)]] = float;
+  using Four [[gnu::vector_size(16), gnu::may_alias]] = float;
   const Four* half = reinterpret_cast<const Four*>(&all_or_nothing);
   return static_cast<unsigned>(__builtin_ia32_movmskps(half[0])) |
          static_cast<unsigned>(__builtin_ia32_movmskps(half[1])) << 4;

@@ -7,6 +7,7 @@ namespace fingerpad::four_floats {
 /// Four floats that are reckoned with as one: what every machine has an instruction for.
 using FourFloats [[gnu::vector_size(16)]] = float;
 
+/// @pre a multiple of 16 bytes
 inline FourFloats load(const float* lanes) noexcept {
   return *reinterpret_cast<const FourFloats*>(lanes);
 }
@@ -24,7 +25,8 @@ inline FourFloats root_of(const FourFloats& a) noexcept {
 /// A bit for each lane that is all ones.
 template <class AllOrNothing>
 unsigned to_mask(const AllOrNothing& lanes) noexcept {
-  return static_cast<unsigned>(__builtin_ia32_movmskps(reinterpret_cast<const FourFloats&>(lanes)));
+  using AnyFour [[gnu::vector_size(16), gnu::may_alias]] = float;
+  return static_cast<unsigned>(__builtin_ia32_movmskps(reinterpret_cast<const AnyFour&>(lanes)));
 }
 #else
 inline FourFloats greater_of(const FourFloats& a, const FourFloats& b) noexcept {

@@ -5,10 +5,10 @@ namespace fingerpad {
 /// The prices of looks. The unit is a look at a triangle that is at hand and was seen before: some nine
 /// nanoseconds, with room for memory that is slower than a part in a cache.
 struct LookCosts {
-  static constexpr long packet = 6;           ///< a float filter looks at eight triangles at once
-  static constexpr long sieved = 2;           ///< ... and holds a way against them, besides
+  static constexpr long packet = 6;           ///< eight triangles are fetched, and looked at all at once
+  static constexpr long sieved = 2;           ///< ... and a way is held against them
   static constexpr long cluster = 2;          ///< four clusters are held against a ball
-  static constexpr long beside = 4;           ///< the same against a way
+  static constexpr long beside = 4;           ///< the same, then against a way: each of both
   static constexpr long passed_over = 3;      ///< the disc around eight triangles is held against a distance
   static constexpr long opened = 4;           ///< four clusters are put among those that are nearest
   static constexpr long further_wall = 2;     ///< a packet, or a triangle, is held against one more wall

@@ -1,8 +1,6 @@
-#include <algorithm>
-#include <bit>
-#include <limits>
-
 #include "contact/near_packets.hpp"
+
+#include <limits>
 
 // Which packets are near a point or a way, from cluster to cluster.
 

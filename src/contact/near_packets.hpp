@@ -26,6 +26,7 @@ class WindingNumber::NearPackets {
               About about = About::box, std::size_t from = 0) noexcept;
 
   /// From now on those within a smaller radius alone, but for what has been looked at.
+  /// @pre a point, or what is about it: of a way no less would be looked at
   void shrink(double radius) noexcept {
     if (is_far_) return;
     around_.shrink(radius);

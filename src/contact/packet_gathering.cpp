@@ -2,9 +2,7 @@
 
 #include <cmath>
 
-// As in packet_filter.cpp: vectors wider than the plain instruction set has never cross a call that is not
-// inlined.
-#pragma GCC diagnostic ignored "-Wpsabi"
+#include "contact/float_lanes.hpp"
 
 namespace fingerpad {
 namespace {
@@ -12,8 +10,6 @@ namespace {
 constexpr std::size_t four_wide = 4;  // lanes of a double
 using Doubles [[gnu::vector_size(sizeof(double) * four_wide)]] = double;
 using Four [[gnu::vector_size(sizeof(float) * four_wide)]] = float;
-
-#define FINGERPAD_INLINED [[gnu::always_inline]] inline
 
 /// Four discs side by side, as PacketDiscs has eight.
 struct FourDiscs {

@@ -1,3 +1,4 @@
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -140,10 +141,6 @@ bool TriangleTree::each_within(const Vec3& q, double reach_m, const KeptPoint* k
   return !limit.is_exceeded();
 }
 
-double TriangleTree::packets_scale() const noexcept {
-  return impl_->packed.scale;
-}
-
 bool TriangleTree::each_beside(const Vec3& q, const Vec3& way, double reach_m, std::size_t& next,
                                Looks& looks, const PacketSieve* sieve,
                                void (*visit)(void* context, int triangle), void* context) const noexcept {
@@ -181,7 +178,7 @@ bool TriangleTree::each_beside(const Vec3& q, const Vec3& way, double reach_m, s
       continue;
     } else if (sieve != nullptr) {
       looks.spend(LookCosts::sieved + sieve->further_looks);
-      for (unsigned lanes = sieve->leaves(sieve->context, packet); lanes != 0; lanes &= lanes - 1)
+      for (unsigned lanes = sieve->lanes_left(sieve->context, packet); lanes != 0; lanes &= lanes - 1)
         count_and_visit(&counting, packet.exact[static_cast<std::size_t>(std::countr_zero(lanes))].triangle);
     } else {
       search.look_at(packet);

@@ -57,6 +57,10 @@ const Part& TriangleTree::part() const noexcept {
   return *impl_->packed.part;
 }
 
+double TriangleTree::packets_scale() const noexcept {
+  return impl_->packed.scale;
+}
+
 void TriangleTree::warm_up() const noexcept {
   if (impl_->packed.packets.empty()) return;
   closest(Vec3::Zero(), -1, std::numeric_limits<double>::infinity());

@@ -20,9 +20,9 @@ struct PacketSieve {
   /// By the disc around one, which is soon at hand.
   bool (*passes_over)(const void* context, const PacketDisc& disc) noexcept;
   /// Of one that is near the lanes of which something may be wanted, a bit each.
-  unsigned (*leaves)(const void* context, const TrianglePacket& packet) noexcept;
+  unsigned (*lanes_left)(const void* context, const TrianglePacket& packet) noexcept;
   const void* context;
-  long further_looks = 0;  ///< that `leaves` takes for a packet, beside what LookCosts says
+  long further_looks = 0;  ///< that `lanes_left` takes for a packet, beside what LookCosts says
 };
 
 /// The closest triangle of a part to a point.

@@ -1,6 +1,7 @@
 #include "contact/way_filter.hpp"
 
 #include "contact/float_lanes.hpp"
+#include "contact/proxy_limits.hpp"
 
 namespace fingerpad {
 
@@ -11,17 +12,19 @@ namespace {
 /// Tangents to each triangle's distance along the way: the first leaves out most of them, the second half of
 /// the rest; a third would leave out hardly any more.
 constexpr int tangents = 3;
+static_assert(tangents < ProxyLimits::newton_steps,
+              "a sweep that is cut short goes on for longer than the filter");
 
 /// A vector in the lanes' rough frames.
 struct InFrames {
   EightFloats x, y, z;
 };
 
-FINGERPAD_INLINED void dot(EightFloats& sum, const EightFloats* v,
+FINGERPAD_INLINED void dot(EightFloats& product, const EightFloats* v,
                            const std::array<TrianglePacket::Lanes, 3>& axis) {
   EightFloats a, b, c;
   load(a, axis[0]), load(b, axis[1]), load(c, axis[2]);
-  sum = v[0] * a + v[1] * b + v[2] * c;
+  product = v[0] * a + v[1] * b + v[2] * c;
 }
 
 FINGERPAD_INLINED void turn(InFrames& turned, const TrianglePacket& p, const EightFloats* v) {

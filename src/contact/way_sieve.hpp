@@ -64,7 +64,7 @@ class WaySieve {
               return static_cast<const WaySieve*>(sieve)->passes_over(disc);
             },
             [](const void* sieve, const TrianglePacket& packet) noexcept {
-              return static_cast<const WaySieve*>(sieve)->leaves(packet);
+              return static_cast<const WaySieve*>(sieve)->lanes_left(packet);
             },
             this, looks_at_further_walls(before_)};
   }
@@ -77,59 +77,17 @@ class WaySieve {
   }
 
   /// The lanes of the triangles that may matter.
-  unsigned leaves(const TrianglePacket& packet) const noexcept {
-    const unsigned lanes = filter_(packet, seen_from(packet)) & ~unsigned{packet.always_exact};
-    const unsigned slivers = packet.always_exact != 0 && !leaves_out(packet) ? packet.always_exact : 0;
-    return (lanes | slivers) & packet.used;
-  }
+  unsigned lanes_left(const TrianglePacket& packet) const noexcept;
 
  private:
-  RoughWay seen_from(const TrianglePacket& packet) const noexcept {
-    RoughWay seen;
-    const Vec3 start = start_ - packet.origin;
-    for (int i = 0; i < 3; ++i) {
-      seen.start[static_cast<std::size_t>(i)] = static_cast<float>(start[i]);
-      seen.way[static_cast<std::size_t>(i)] = static_cast<float>(way_[i]);
-    }
-    seen.length = static_cast<float>(length_);
-    seen.clearance = static_cast<float>(clearance_);
-    seen.worst = static_cast<float>(scale_ * worst_.slack_m);
-    const double size = start.norm() + length_ + clearance_ + 2 * static_cast<double>(packet.radius);
-    const double margin = static_cast<double>(way_margin) * size + sweep_tolerances * tolerance_;
-    seen.margin = static_cast<float>(margin);
-    seen.wall_count = before_.walls().size();
-    for (std::size_t k = 0; k < seen.wall_count; ++k) {
-      const PartWalls::Wall& wall = before_.walls()[k];
-      for (int i = 0; i < 3; ++i)
-        seen.walls[k].normal[static_cast<std::size_t>(i)] = static_cast<float>(wall.normal_P[i]);
-      seen.walls[k].offset =
-          static_cast<float>(scale_ * wall.offset_m - wall.normal_P.dot(packet.origin) - margin);
-    }
-    return seen;
-  }
-
-  bool leaves_out(const TrianglePacket& packet) const noexcept {
-    const Vec3 off = start_ - packet.origin;
-    const double distance = off.norm(), radius = static_cast<double>(packet.radius);
-    if (distance > radius) {
-      const double sine = radius / distance;
-      const double slope = off.dot(way_) / distance * std::sqrt(1 - sine * sine) - length_ * sine;
-      if (distance - radius - clearance_ + slope > scale_ * worst_.slack_m + tolerance_) return true;
-    }
-    return std::any_of(before_.walls().begin(), before_.walls().end(), [&](const PartWalls::Wall& wall) {
-      return wall.normal_P.dot(packet.origin) + packet.highest(wall.normal_P) <= scale_ * wall.offset_m;
-    });
-  }
-
-  /// A sweep ends a tolerance in front of its triangle: the filter's tangents stay farther in front of it.
-  static constexpr double sweep_tolerances = 4;
+  RoughWay seen_from(const TrianglePacket& packet) const noexcept;
+  bool clears_slivers(const TrianglePacket& packet) const noexcept;
 
   const PartWalls& before_;
   const WorstWall& worst_;
   double scale_;
   Vec3 start_, way_, middle_;  // all lengths scaled
   double length_, clearance_, tolerance_;
-  WayFilter filter_ = fastest_way_filter();
 };
 
 }  // namespace fingerpad

@@ -95,6 +95,10 @@ void WindingNumber::Four::set(std::size_t k, const Eigen::AlignedBox3f& box) noe
   }
 }
 
+float WindingNumber::wider_in_floats(double radius) noexcept {
+  return static_cast<float>(std::min(radius, static_cast<double>(far_off))) * (1 + radius_rounding);
+}
+
 WindingNumber::Along::Along(const Vec3& middle, double radius, const Vec3& half_way) noexcept {
   const double per_length2 = 1 / half_way.squaredNorm();
   double farthest = 1;
@@ -104,8 +108,7 @@ WindingNumber::Along::Along(const Vec3& middle, double radius, const Vec3& half_
     share[i] = static_cast<float>(half_way[i] * per_length2);
     farthest += std::abs(middle[i]) + std::abs(half_way[i]);
   }
-  reach = static_cast<float>(radius) * (1 + Around::radius_rounding) +
-          static_cast<float>(farthest) * Around::place_rounding;
+  reach = wider_in_floats(radius) + static_cast<float>(farthest) * place_rounding;
 }
 
 unsigned WindingNumber::Along::near(const Four& four) const noexcept {
@@ -123,7 +126,7 @@ unsigned WindingNumber::Along::near(const Four& four) const noexcept {
     const FourFloats beside = off[i] - along * half[i];
     beside2 += beside * beside;
   }
-  const FourFloats within = root_of(size2) * (1 + Around::radius_rounding) + reach;
+  const FourFloats within = root_of(size2) * (1 + radius_rounding) + reach;
   return to_mask(beside2 <= within * within);
 }
 
@@ -139,8 +142,7 @@ WindingNumber::Around::Around(const Vec3& point, double radius, const Vec3& half
 }
 
 void WindingNumber::Around::shrink(double radius) noexcept {
-  const float wider =
-      static_cast<float>(std::min(radius, static_cast<double>(far_off))) * (1 + radius_rounding);
+  const float wider = wider_in_floats(radius);
   radius2 = wider * wider;
 }
 

@@ -64,12 +64,14 @@ class WindingNumber {
     Four() noexcept;
     void set(std::size_t k, const Eigen::AlignedBox3f& box) noexcept;
   };
+  /// What rounding to float may take off the distance between a box and a point, or a way: a share of that
+  /// distance, and of the part's box and the coordinates of the point, or the way's middle and half. (A place
+  /// on the way nearest to a box is off by some ten units in a float's last place of these.)
+  static constexpr float radius_rounding = 1e-5F, place_rounding = 2e-6F;
+  static float wider_in_floats(double radius) noexcept;
+
   /// A ball about a point, as clusters are held against it.
   struct Around {
-    /// What rounding to float may take off the distance between a point and a box: a share of that, and of
-    /// the part's box and the point's coordinates.
-    static constexpr float radius_rounding = 1e-5F, place_rounding = 2e-6F;
-
     float at[3], radius2, slack[3];
 
     /// @param half  the ball is moved about within a box of such half sides
@@ -81,7 +83,7 @@ class WindingNumber {
   /// A ball that moves along a way.
   struct Along {
     float at[3], half[3];  ///< the way's middle, and from there to its end
-    float share[3];        ///< what the way to a place off the middle is a share of `half` by
+    float share[3];  ///< half / |half|^2: times what a place is off the middle, how many halves along it is
     float reach;
 
     Along(const Vec3& middle, double radius, const Vec3& half_way) noexcept;

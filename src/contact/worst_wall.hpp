@@ -14,6 +14,8 @@ namespace fingerpad {
 /// one of them cannot stop it.
 class PartWalls {
  public:
+  static constexpr std::size_t most_walls = 3;
+
   struct Wall {
     Vec3 normal_P = Vec3::UnitZ();
     double offset_m = 0;  ///< what lies no farther along the normal stands behind it
@@ -40,8 +42,6 @@ class PartWalls {
   std::span<const Wall> walls() const noexcept { return {walls_.data(), count_}; }
 
  private:
-  static constexpr std::size_t most_walls = 3;
-
   std::size_t count_;
   std::array<Wall, most_walls> walls_;
 };

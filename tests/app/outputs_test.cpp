@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -313,16 +314,23 @@ TEST(Check, TellsOfAMotionThatTouchesNothingAndOfOneThatGoesFarBeyond) {
   const std::string near = check("radius_m = 0.002", over),
                     nothing = "touches nothing: the finger comes no nearer than ";
   ASSERT_THAT(near, HasSubstr(nothing));
-  const double told_mm = std::stod(near.substr(near.find(nothing) + nothing.size()));
-  const double distance_mm =
-      1e3 *
-      nlohmann::json::parse(test::fingerpad("check s.toml --json", folder).out)[0]["motion"]["nearest_m"]
-          .get<double>();
-  EXPECT_NEAR(told_mm, distance_mm, 1e-3);
+  // Over the middle of the box, whose top is at 15 mm, a ball of 2 mm at 100 mm.
+  EXPECT_NEAR(std::stod(near.substr(near.find(nothing) + nothing.size())), 83, 1e-6);
+  const auto report = nlohmann::json::parse(test::fingerpad("check s.toml --json", folder).out);
+  EXPECT_NEAR(report[0]["motion"]["nearest_m"].get<double>(), 0.083, 1e-9);
   EXPECT_THAT(check("radius_m = 0.1", over), Not(HasSubstr("touches nothing"))) << "a ball of that size does";
   EXPECT_THAT(check("radius_m = 0.002",
                     "kind = \"line\"\nfrom_m = [-20, 0, 0]\nto_m = [20, 0, 0]\nspeed_m_per_s = 40\n"),
               HasSubstr("[motion] goes 40000 mm far, "));
+  // A sheet has no inside: behind it is off it, and to go through it is to touch it.
+  std::ofstream(folder / "box.stl") << test::text_stl(test::square_soup(0.01, 2));
+  const auto sheet = [&check](const char* from, const char* to) {
+    return check("radius_m = 0.002", fmt::format("kind = \"line\"\nfrom_m = [0, 0, {}]\nto_m = [0, 0, {}]\n"
+                                                 "speed_m_per_s = 40\nrate_hz = 1000\n",
+                                                 from, to));
+  };
+  EXPECT_THAT(sheet("-0.1", "-0.06"), HasSubstr(nothing + "58 mm"));
+  EXPECT_THAT(sheet("-0.03", "0.01"), Not(HasSubstr(nothing)));
 }
 
 TEST(Refusals, OfASubcommandNameTheNearest) {

@@ -2,12 +2,19 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
 
 #include "base/random_stream.hpp"
 #include "contact/packed_part.hpp"
 #include "contact/proxies.hpp"
+#include "contact/tree_trials.hpp"
 #include "support/shapes.hpp"
 
 // What a look at a part passes over, against looking at all of it.
@@ -19,10 +26,20 @@ Vec3 any(RandomStream& random) {
   return {random.normal(), random.normal(), random.normal()};
 }
 
+/// Triangles of every shape, half of them too slender for a rough frame.
+TriangleSoup sliver_soup() {
+  const auto part = test::soup_of_slivers(400);
+  TriangleSoup soup;
+  soup.vertices_P = 0.02 * part->vertices;
+  soup.triangles = part->triangles;
+  return soup;
+}
+
 std::vector<PlacedSurface> trial_surfaces() {
   return {surface_of(test::torus_soup(0.02, 0.008, 48, 24)), surface_of(test::sphere_soup(0.03, 3)),
           surface_of(test::joined(test::box_soup(Vec3(0.05, 0.04, 0.01)),
-                                  test::moved(test::torus_soup(0.01, 0.003, 24, 12), Vec3(0, 0, 0.006))))};
+                                  test::moved(test::torus_soup(0.01, 0.003, 24, 12), Vec3(0, 0, 0.006)))),
+          surface_of(sliver_soup())};
 }
 
 /// A ball somewhere about a part, its way, and a wall found before.
@@ -47,10 +64,13 @@ struct Stand {
     return near.at.point + (clearance_m + (random.uniform() < 0.5 ? 0 : 1e-3 * random.uniform())) * out;
   }
   PartWalls walls(RandomStream& random) const {
-    ProxyWall wall;
-    wall.normal = any(random).normalized();
-    wall.least_m = -0.01 * random.uniform();
-    return {world, 0, std::span(&wall, random.uniform() < 0.5 ? 0 : 1), way.from_P};
+    std::array<ProxyWall, PartWalls::most_walls> some;
+    for (ProxyWall& wall : some) {
+      wall.normal = any(random).normalized();
+      wall.least_m = -0.01 * random.uniform();
+    }
+    const auto count = static_cast<std::size_t>(random.uniform() < 0.5 ? 0 : 1 + 3 * random.uniform());
+    return {world, 0, std::span(some).first(count), way.from_P};
   }
 
   /// Whether a triangle is a wall that matters.
@@ -65,7 +85,7 @@ struct Stand {
 
 TEST(WaySieve, LeavesOutNothingThatMatters) {
   RandomStream random(31);
-  long passed_over = 0, left_out = 0, matter = 0;
+  long passed_over = 0, left_out = 0, matter = 0, slivers = 0, slivers_that_matter = 0;
   for (const PlacedSurface& surface : trial_surfaces()) {
     const PackedPart packed = pack(std::make_shared<const Part>(surface.tree->part()));
     for (int k = 0; k < 300; ++k) {
@@ -75,12 +95,15 @@ TEST(WaySieve, LeavesOutNothingThatMatters) {
         const TrianglePacket& packet = packed.packets[i];
         const bool is_passed_over = sieve.passes_over(packed.discs[i]);
         passed_over += is_passed_over ? 1 : 0;
-        const unsigned lanes = sieve.leaves(packet);
+        const unsigned lanes = sieve.lanes_left(packet);
         for (int lane = 0; lane < packet_width && (packet.used >> lane & 1) != 0; ++lane) {
           const bool is_left_out = is_passed_over || (lanes >> lane & 1) == 0;
           left_out += is_left_out ? 1 : 0;
+          const bool is_sliver = (packet.always_exact >> lane & 1) != 0;
+          slivers += is_sliver && (lanes >> lane & 1) == 0 ? 1 : 0;
           const bool does_matter = s.matters(packet.exact[static_cast<std::size_t>(lane)].triangle);
           matter += does_matter ? 1 : 0;
+          slivers_that_matter += is_sliver && does_matter ? 1 : 0;
           ASSERT_FALSE(is_left_out && does_matter) << k;
         }
       }
@@ -89,6 +112,51 @@ TEST(WaySieve, LeavesOutNothingThatMatters) {
   EXPECT_GT(matter, 1000);
   EXPECT_GT(left_out, 20 * matter) << "most of a part";
   EXPECT_GT(passed_over, 10 * matter);
+  EXPECT_GT(slivers, 1000);
+  EXPECT_GT(slivers_that_matter, 50);
+}
+
+/// Of a wall that is worse than the worst by a hair, and of one of which a hair stands before another wall,
+/// no float can tell that it matters.
+TEST(WaySieve, KeepsWhatMattersByAHair) {
+  RandomStream random(35);
+  long by_slack = 0, by_wall = 0;
+  for (const PlacedSurface& surface : trial_surfaces()) {
+    const PackedPart packed = pack(std::make_shared<const Part>(surface.tree->part()));
+    for (int k = 0; k < 300; ++k) {
+      Stand s(surface, random);
+      s.before = PartWalls(s.world, 0, {}, s.way.from_P);
+      const double hair_m = 1e-13 * surface.tree->part().size_m();
+      for (const TrianglePacket& packet : packed.packets) {
+        for (int lane = 0; lane < packet_width && (packet.used >> lane & 1) != 0; ++lane) {
+          const int t = packet.exact[static_cast<std::size_t>(lane)].triangle;
+          const TriangleCorners f = corners_of(s.world.part(0), t);
+          WorstWall alone{std::nullopt, -s.world.tolerance_m()};
+          if (!alone.offer_triangle(s.world, s.way, f, t, FirstApproach(approach_triangle(f, s.way.from_P))))
+            continue;
+          const auto is_kept = [&](const PartWalls& before, double worst_m) {
+            const WorstWall worst{std::nullopt, worst_m};
+            return (WaySieve(s.world, s.way, before, worst, packed.scale).lanes_left(packet) >> lane & 1) !=
+                   0;
+          };
+          ++by_slack;
+          ASSERT_TRUE(is_kept(s.before, alone.slack_m + hair_m)) << k << ", triangle " << t;
+          ProxyWall wall;
+          wall.normal = any(random).normalized();
+          const double highest_m =
+              std::max({wall.normal.dot(f.a), wall.normal.dot(f.b), wall.normal.dot(f.c)});
+          wall.least_m = highest_m - hair_m - wall.normal.dot(s.way.from_P) + s.world.clearance_m() -
+                         s.world.tolerance_m();
+          const PartWalls before(s.world, 0, std::span(&wall, 1), s.way.from_P);
+          if (before.hide(f)) continue;
+          ++by_wall;
+          ASSERT_TRUE(is_kept(before, -s.world.tolerance_m())) << k << ", triangle " << t;
+        }
+      }
+    }
+  }
+  EXPECT_GT(by_slack, 10000);
+  EXPECT_GT(by_wall, by_slack / 2);
 }
 
 TEST(WaySieve, PassesOverNoPacketThatTheWayGoesThrough) {
