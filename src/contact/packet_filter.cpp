@@ -3,10 +3,13 @@
 #include "contact/float_lanes.hpp"
 
 namespace fingerpad {
-
-using namespace float_lanes;
-
 namespace {
+
+using float_lanes::EightBits;
+using float_lanes::EightFloats;
+using float_lanes::load;
+using float_lanes::take_roots;
+using float_lanes::to_mask;
 
 /// See rough_margin for the error of each step.
 FINGERPAD_INLINED unsigned filter(const TrianglePacket& p, const float* r, float limit2,

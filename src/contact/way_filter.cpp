@@ -4,13 +4,16 @@
 #include "contact/proxy_limits.hpp"
 
 namespace fingerpad {
-
-using namespace float_lanes;
-
 namespace {
 
-/// Tangents to each triangle's distance along the way: the first leaves out most of them, the second half of
-/// the rest; a third would leave out hardly any more.
+using float_lanes::EightBits;
+using float_lanes::EightFloats;
+using float_lanes::load;
+using float_lanes::take_roots;
+using float_lanes::to_mask;
+
+/// Tangents to each triangle's distance along the way. Of eight triangles seven are left out by walls, planes
+/// and the first tangent; the others are taken in one packet of eight.
 constexpr int tangents = 3;
 static_assert(tangents < ProxyLimits::newton_steps,
               "a sweep that is cut short goes on for longer than the filter");
