@@ -141,9 +141,8 @@ std::string surface_words(const Scene& scene, std::size_t i) {
 
 /// On standard error, and in the objects of the parts that they are of.
 /// @param parts  as many objects as the scene has parts, or none
-void tell_overlaps(const Scene& scene, const std::string& path, const std::vector<PlacedSurface>& surfaces,
-                   std::span<Json> parts) {
-  for (const Overlap& overlap : overlaps(surfaces)) {
+void tell_overlaps(const Scene& scene, const std::string& path, const World& world, std::span<Json> parts) {
+  for (const Overlap& overlap : overlaps(placed_surfaces(world))) {
     print_err("fingerpad: {}: {} and {} overlap by {} mm at ({}, {}, {}) m; is that meant?\n", path,
               surface_words(scene, overlap.one), surface_words(scene, overlap.other),
               rounded_text(1e3 * overlap.depth_m, 3), rounded_text(overlap.at_W.x(), 4),
@@ -159,33 +158,31 @@ void tell_overlaps(const Scene& scene, const std::string& path, const std::vecto
 
 /// On standard output, or in the parts' objects, what there is to follow; how it was read, and what is odd
 /// about it, goes to standard error.
-void tell_motion(const Scene& scene, const std::string& path, const LoadedMotion& motion,
-                 std::span<const PlacedSurface> surfaces, bool as_json, std::span<Json> parts) {
-  const MotionCheck check = look_at_motion(scene, motion, surfaces);
+void tell_motion(const Scene& scene, const std::string& path, const LoadedMotion& motion, const World& world,
+                 bool as_json, std::span<Json> parts) {
+  const MotionCheck check = look_at_motion(scene, motion, world);
   if (!as_json) write_stream(stdout, motion_text(check, path));
   for (Json& part : parts) part["motion"] = motion_json(check);
   for (const std::string& note : motion.notes) print_err("fingerpad: {}\n", note);
   for (const std::string& warning : motion.warnings) print_err("fingerpad: warning: {}\n", warning);
-  // Where a hand goes its goal does not tell.
-  if (const std::string hint = scene.hand ? "" : motion_hint(check, surfaces); !hint.empty())
-    print_err("fingerpad: warning: {}: {}\n", path, hint);
+  if (!check.hint.empty()) print_err("fingerpad: warning: {}: {}\n", path, check.hint);
 }
 
 /// Of what a scene says beside its parts: refuses, or tells, what replay would before its first tick.
-void look_at_finger_and_motion(const Scene& scene, const std::string& path, const World& measured,
-                               std::span<const PlacedSurface> surfaces, bool as_json, std::span<Json> parts) {
+void look_at_finger_and_motion(const Scene& scene, const std::string& path, const World& world, bool as_json,
+                               std::span<Json> parts) {
   refuse_missing_inputs(scene);
-  refuse_huge_finger(measured, scene);
+  refuse_huge_finger(world, scene);
   std::optional<LoadedMotion> motion;
   if (scene.motion.given()) motion = load_motion(scene);
   if (scene.parts.empty() && !as_json)
     print_out("{}: can be touched\n  {} and no mesh: there is none to look at\n", path,
               count_words(scene.planes.size(), "plane"));
   if (motion)
-    tell_motion(scene, path, *motion, surfaces, as_json, parts);
+    tell_motion(scene, path, *motion, world, as_json, parts);
   else if (!as_json)
     print_out("{}: has no [motion]: to touch and to view, not to replay\n", path);
-  if (const std::string hint = finger_hint(measured, scene); !hint.empty())
+  if (const std::string hint = finger_hint(world, scene); !hint.empty())
     print_err("fingerpad: warning: {}\n", hint);
 }
 
@@ -197,8 +194,7 @@ bool check_scene(const std::string& path, bool as_json, Json& report) {
     print_err("fingerpad: {}: looked at the first of its {} jobs\n", path, file.jobs.size());
   const Scene& scene = file.jobs.front().scene;
   bool all_touchable = true;
-  World measured;  // by its verdicts alone
-  std::vector<PlacedSurface> surfaces;
+  World world;
   for (const PartEntry& entry : scene.parts) {
     ImportOptions how;
     how.metres_per_unit = entry.metres_per_unit;
@@ -206,8 +202,9 @@ bool check_scene(const std::string& path, bool as_json, Json& report) {
     how.repair = entry.repair;
     const CheckedMesh mesh = checked(entry.mesh_path, how);
     all_touchable &= tell_mesh(mesh, as_json, report);
-    measured.verdicts.push_back(mesh.imported.verdict);
-    PlacedSurface& surface = surfaces.emplace_back();
+    world.verdicts.push_back(mesh.imported.verdict);
+    Surface& surface = world.surfaces.emplace_back();
+    surface.mesh = entry.mesh;
     surface.part = mesh.imported.part;
     surface.tree = mesh.tree;
     surface.p_WP = entry.position_m;
@@ -215,15 +212,15 @@ bool check_scene(const std::string& path, bool as_json, Json& report) {
   }
   if (!all_touchable) return false;
   for (const PlaneEntry& plane : scene.planes) {
-    PlacedSurface& surface = surfaces.emplace_back();
+    Surface& surface = world.surfaces.emplace_back();
     surface.plane_point_W = plane.point_m;
     surface.plane_normal_W = plane.normal;
   }
   std::span<Json> parts;
   if (as_json) parts = std::span(report.get_ref<Json::array_t&>()).last(scene.parts.size());
   for (Json& part : parts) part["overlaps"] = Json::array();
-  tell_overlaps(scene, path, surfaces, parts);
-  look_at_finger_and_motion(scene, path, measured, surfaces, as_json, parts);
+  tell_overlaps(scene, path, world, parts);
+  look_at_finger_and_motion(scene, path, world, as_json, parts);
   return all_touchable;
 }
 

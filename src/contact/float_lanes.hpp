@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 
 #include "contact/triangle_packet.hpp"
@@ -44,6 +45,41 @@ FINGERPAD_INLINED void take_roots(EightFloats& v) noexcept {
 #else
   for (int i = 0; i < packet_width; ++i) v[i] = std::sqrt(v[i]);
 #endif
+}
+
+/// A vector in the lanes' rough frames.
+struct InFrames {
+  EightFloats x, y, z;
+};
+
+FINGERPAD_INLINED void dot(EightFloats& product, const EightFloats* v,
+                           const std::array<TrianglePacket::Lanes, 3>& axis) noexcept {
+  EightFloats a, b, c;
+  load(a, axis[0]), load(b, axis[1]), load(c, axis[2]);
+  product = v[0] * a + v[1] * b + v[2] * c;
+}
+
+/// @param v  in the packet's frame: its x, y and z
+FINGERPAD_INLINED void turn(InFrames& turned, const TrianglePacket& p, const EightFloats* v) noexcept {
+  dot(turned.x, v, p.x_axis), dot(turned.y, v, p.y_axis), dot(turned.z, v, p.z_axis);
+}
+
+/// Of each lane's triangle one of its halves.
+struct HalfLanes {
+  EightFloats width, normal_x, normal_y, hypotenuse;
+};
+
+FINGERPAD_INLINED void take_halves(HalfLanes& half, const TrianglePacket& p,
+                                   const EightBits& is_left) noexcept {
+  EightFloats right, left;
+  load(right, p.half[0].width), load(left, p.half[1].width);
+  half.width = is_left ? left : right;
+  load(right, p.half[0].normal_x), load(left, p.half[1].normal_x);
+  half.normal_x = is_left ? left : right;
+  load(right, p.half[0].normal_y), load(left, p.half[1].normal_y);
+  half.normal_y = is_left ? left : right;
+  load(right, p.half[0].hypotenuse), load(left, p.half[1].hypotenuse);
+  half.hypotenuse = is_left ? left : right;
 }
 
 }  // namespace fingerpad::float_lanes

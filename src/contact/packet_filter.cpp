@@ -7,45 +7,35 @@ namespace {
 
 using float_lanes::EightBits;
 using float_lanes::EightFloats;
+using float_lanes::HalfLanes;
+using float_lanes::InFrames;
 using float_lanes::load;
+using float_lanes::take_halves;
 using float_lanes::take_roots;
 using float_lanes::to_mask;
+using float_lanes::turn;
 
 /// See rough_margin for the error of each step.
 FINGERPAD_INLINED unsigned filter(const TrianglePacket& p, const float* r, float limit2,
                                   RoughDistances& rough) noexcept {
   const EightFloats zero = {};
-  EightFloats v[3], a, b, c;
+  EightFloats v[3], a;
   for (int i = 0; i < 3; ++i) {
     load(a, p.foot[i]);
     v[i] = r[i] - a;
   }
-  const auto& axes_x = p.x_axis;
-  const auto& axes_y = p.y_axis;
-  const auto& axes_z = p.z_axis;
-  load(a, axes_x[0]), load(b, axes_x[1]), load(c, axes_x[2]);
-  EightFloats x = v[0] * a + v[1] * b + v[2] * c;
-  load(a, axes_y[0]), load(b, axes_y[1]), load(c, axes_y[2]);
-  const EightFloats y = v[0] * a + v[1] * b + v[2] * c;
-  load(a, axes_z[0]), load(b, axes_z[1]), load(c, axes_z[2]);
-  const EightFloats z = v[0] * a + v[1] * b + v[2] * c;
+  InFrames at;
+  turn(at, p, v);
+  const EightFloats &y = at.y, &z = at.z;
+  const EightBits left = at.x < zero;
+  HalfLanes half;
+  take_halves(half, p, left);
+  const EightFloats x = left ? -at.x : at.x;
 
-  const EightBits left = x < zero;
-  EightFloats width, normal_x, normal_y, hypotenuse;
-  load(a, p.half[0].width), load(b, p.half[1].width);
-  width = left ? b : a;
-  load(a, p.half[0].normal_x), load(b, p.half[1].normal_x);
-  normal_x = left ? b : a;
-  load(a, p.half[0].normal_y), load(b, p.half[1].normal_y);
-  normal_y = left ? b : a;
-  load(a, p.half[0].hypotenuse), load(b, p.half[1].hypotenuse);
-  hypotenuse = left ? b : a;
-  x = left ? -x : x;
-
-  const EightFloats beyond = x - width;
-  const EightFloats above = beyond * normal_x + y * normal_y;
-  const EightFloats along = y * normal_x - beyond * normal_y;
-  const EightFloats over = along - hypotenuse;
+  const EightFloats beyond = x - half.width;
+  const EightFloats above = beyond * half.normal_x + y * half.normal_y;
+  const EightFloats along = y * half.normal_x - beyond * half.normal_y;
+  const EightFloats over = along - half.hypotenuse;
   EightFloats off = over > -along ? over : -along;
   off = off > zero ? off : zero;
   const EightFloats above_only = above > zero ? above : zero;

@@ -8,31 +8,19 @@ namespace {
 
 using float_lanes::EightBits;
 using float_lanes::EightFloats;
+using float_lanes::HalfLanes;
+using float_lanes::InFrames;
 using float_lanes::load;
+using float_lanes::take_halves;
 using float_lanes::take_roots;
 using float_lanes::to_mask;
+using float_lanes::turn;
 
 /// Tangents to each triangle's distance along the way. Of eight triangles seven are left out by walls, planes
 /// and the first tangent; the others are taken in one packet of eight.
 constexpr int tangents = 3;
 static_assert(tangents < ProxyLimits::newton_steps,
               "a sweep that is cut short goes on for longer than the filter");
-
-/// A vector in the lanes' rough frames.
-struct InFrames {
-  EightFloats x, y, z;
-};
-
-FINGERPAD_INLINED void dot(EightFloats& product, const EightFloats* v,
-                           const std::array<TrianglePacket::Lanes, 3>& axis) {
-  EightFloats a, b, c;
-  load(a, axis[0]), load(b, axis[1]), load(c, axis[2]);
-  product = v[0] * a + v[1] * b + v[2] * c;
-}
-
-FINGERPAD_INLINED void turn(InFrames& turned, const TrianglePacket& p, const EightFloats* v) {
-  dot(turned.x, v, p.x_axis), dot(turned.y, v, p.y_axis), dot(turned.z, v, p.z_axis);
-}
 
 FINGERPAD_INLINED EightFloats at_least_0(const EightFloats& v) {
   return v > EightFloats{} ? v : EightFloats{};
@@ -63,22 +51,15 @@ FINGERPAD_INLINED void hide(EightBits& out, const TrianglePacket& p, const Rough
 FINGERPAD_INLINED void to_place(InFrames& v, const TrianglePacket& p, const InFrames& place,
                                 const EightBits& is_left) {
   const EightFloats zero = {};
-  EightFloats width, normal_x, normal_y, hypotenuse, a, b;
-  load(a, p.half[0].width), load(b, p.half[1].width);
-  width = is_left ? b : a;
-  load(a, p.half[0].normal_x), load(b, p.half[1].normal_x);
-  normal_x = is_left ? b : a;
-  load(a, p.half[0].normal_y), load(b, p.half[1].normal_y);
-  normal_y = is_left ? b : a;
-  load(a, p.half[0].hypotenuse), load(b, p.half[1].hypotenuse);
-  hypotenuse = is_left ? b : a;
-  const EightFloats beyond = (is_left ? -place.x : place.x) - width;
-  const EightFloats above = at_least_0(beyond * normal_x + place.y * normal_y);
-  const EightFloats along = place.y * normal_x - beyond * normal_y;
-  const EightFloats off = at_least_0(along - hypotenuse) + (along < zero ? along : zero);
+  HalfLanes half;
+  take_halves(half, p, is_left);
+  const EightFloats beyond = (is_left ? -place.x : place.x) - half.width;
+  const EightFloats above = at_least_0(beyond * half.normal_x + place.y * half.normal_y);
+  const EightFloats along = place.y * half.normal_x - beyond * half.normal_y;
+  const EightFloats off = at_least_0(along - half.hypotenuse) + (along < zero ? along : zero);
   const EightBits is_below = place.y < zero;
-  v.x = is_below ? at_least_0(beyond) : above * normal_x - off * normal_y;
-  v.y = is_below ? place.y : above * normal_y + off * normal_x;
+  v.x = is_below ? at_least_0(beyond) : above * half.normal_x - off * half.normal_y;
+  v.y = is_below ? place.y : above * half.normal_y + off * half.normal_x;
   v.z = place.z;
 }
 

@@ -19,7 +19,7 @@ struct RoughWay {
   std::array<float, 3> start, way;
   float length;                        ///< of the way
   float clearance;                     ///< what the ball keeps from every triangle
-  float worst;                         ///< slack of the worst wall so far, or more
+  float worst;                         ///< slack of the worst wall so far
   float margin;                        ///< no distance is off by more, see way_margin
   std::array<Wall, most_walls> walls;  ///< that the ball stays in front of anyway
   std::size_t wall_count;

@@ -16,6 +16,7 @@
 #include "motion/proxy_trial.hpp"
 #include "motion/sharp_edge.hpp"
 #include "motion/surface_walk.hpp"
+#include "part/border.hpp"
 #include "part/random_places.hpp"
 
 namespace fingerpad {
@@ -75,8 +76,7 @@ class Turning {
 bool is_free(const TriangleTree& tree, SurfaceWalk& walk, const Vec3& from_P, double radius_m) {
   const Part& part = tree.part();
   if (!(walk.distance_at(from_P) > radius_m)) return false;
-  const bool is_open = (part.neighbours.array() < 0).any();
-  return is_open || !tree.encloses(from_P - part.centre_P);
+  return has_border(part) || !tree.encloses(from_P - part.centre_P);
 }
 
 /// What is drawn on the part, as far as one stroke or one figure goes.

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "contact/fast_proxy.hpp"
+#include "part/border.hpp"
 
 namespace fingerpad {
 namespace {
@@ -24,8 +25,7 @@ PopThroughs::PopThroughs(std::shared_ptr<const World> world) : world_(std::move(
 
 bool PopThroughs::is_open(std::size_t surface) noexcept {
   if (sides_[surface] == Sides::unknown) {
-    const bool has_border = (world_->surfaces[surface].part->neighbours.array() < 0).any();
-    sides_[surface] = has_border ? Sides::both : Sides::outside;
+    sides_[surface] = has_border(*world_->surfaces[surface].part) ? Sides::both : Sides::outside;
   }
   return sides_[surface] == Sides::both;
 }

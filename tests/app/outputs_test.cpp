@@ -311,17 +311,18 @@ TEST(Check, TellsOfAMotionThatTouchesNothingAndOfOneThatGoesFarBeyond) {
   };
   const std::string over =
       "kind = \"line\"\nfrom_m = [0, 0, 0.1]\nto_m = [0.01, 0, 0.1]\nspeed_m_per_s = 0.01\n";
-  const std::string near = check("radius_m = 0.002", over),
-                    nothing = "touches nothing: the finger comes no nearer than ";
-  ASSERT_THAT(near, HasSubstr(nothing));
-  // Over the middle of the box, whose top is at 15 mm, a ball of 2 mm at 100 mm.
-  EXPECT_NEAR(std::stod(near.substr(near.find(nothing) + nothing.size())), 83, 1e-6);
+  const std::string nothing = "s.toml: the motion never touches: it comes nearest at t = ";
+  // Over the middle of the box, whose top is at 15 mm, a ball of 2 mm at 100 mm; said as by replay.
+  const std::string told = check("radius_m = 0.002", over);
+  EXPECT_THAT(told, HasSubstr(nothing + "0 s, 83 mm from part 0 (box.stl)"));
+  EXPECT_THAT(test::fingerpad("replay s.toml --out o", folder).err,
+              HasSubstr(told.substr(told.find("the motion never touches"))));
   const auto report = nlohmann::json::parse(test::fingerpad("check s.toml --json", folder).out);
   EXPECT_NEAR(report[0]["motion"]["nearest_m"].get<double>(), 0.083, 1e-9);
-  EXPECT_THAT(check("radius_m = 0.1", over), Not(HasSubstr("touches nothing"))) << "a ball of that size does";
+  EXPECT_THAT(check("radius_m = 0.1", over), Not(HasSubstr("never touches"))) << "a ball of that size does";
   EXPECT_THAT(check("radius_m = 0.002",
                     "kind = \"line\"\nfrom_m = [-20, 0, 0]\nto_m = [20, 0, 0]\nspeed_m_per_s = 40\n"),
-              HasSubstr("[motion] goes 40000 mm far, "));
+              HasSubstr("the motion goes 40000 mm far, "));
   // A sheet has no inside: behind it is off it, and to go through it is to touch it.
   std::ofstream(folder / "box.stl") << test::text_stl(test::square_soup(0.01, 2));
   const auto sheet = [&check](const char* from, const char* to) {
@@ -329,8 +330,8 @@ TEST(Check, TellsOfAMotionThatTouchesNothingAndOfOneThatGoesFarBeyond) {
                                                  "speed_m_per_s = 40\nrate_hz = 1000\n",
                                                  from, to));
   };
-  EXPECT_THAT(sheet("-0.1", "-0.06"), HasSubstr(nothing + "58 mm"));
-  EXPECT_THAT(sheet("-0.03", "0.01"), Not(HasSubstr(nothing)));
+  EXPECT_THAT(sheet("-0.1", "-0.06"), HasSubstr(nothing + "0.001 s, 58 mm"));
+  EXPECT_THAT(sheet("-0.03", "0.01"), Not(HasSubstr("never touches")));
 }
 
 TEST(Refusals, OfASubcommandNameTheNearest) {

@@ -142,6 +142,23 @@ TEST(NeverTouches, KnowsTheNearestOfAllSurfacesAndTheFingersRadius) {
   EXPECT_EQ(never_touches(*world, FingerPath(motion, 10, Vec3::UnitX()), 0.0), "") << "inside of the box";
 }
 
+TEST(NeverTouches, LooksAtEveryTickAndTakesASheetForNothingMore) {
+  auto world = std::make_shared<World>(*test::world_of(test::square_soup(0.1, 3)));
+  world->surfaces[0].mesh = "sheet.stl";
+  // Behind the sheet, 20 mm off but for one tick of ten thousand.
+  Motion motion;
+  constexpr long ticks = 10000, near_tick = 5003;
+  motion.p_WQ.resize(3, ticks);
+  for (long k = 0; k < ticks; ++k) {
+    motion.t_s.push_back(1e-3 * static_cast<double>(k));
+    motion.p_WQ.col(k) = Vec3(0.01, 0.01, k == near_tick ? -0.005 : -0.02);
+  }
+  const auto told = [&] { return never_touches(*world, FingerPath(motion, 1000, Vec3::UnitX()), 0.002); };
+  EXPECT_THAT(told(), HasSubstr("nearest at t = 5.003 s, 3 mm from part 0 (sheet.stl)"));
+  motion.p_WQ(2, near_tick) = -0.001;
+  EXPECT_EQ(told(), "") << "a ball of 2 mm touches it there";
+}
+
 TEST(NeverTouches, NamesAColumnThatIsMirroredOrSwapped) {
   auto world = std::make_shared<World>(*test::world_of(test::box_soup({0.1, 0.06, 0.02})));
   world->surfaces[0].mesh = "box.stl";
