@@ -31,6 +31,8 @@ class LikelyWalls {
   std::optional<ProxyWall> wall_below(const Vec3& place_O, double way_m, const Blocker& near) noexcept;
   std::optional<ProxyWall> wall_ahead(const Vec3& place_O, const Vec3& goal_O, double way_m,
                                       const Blocker& near) noexcept;
+  Blocker triangle_ahead(const Vec3& place_O, const Vec3& goal_O, double way_m, const Blocker& near) noexcept;
+  Blocker first_met(const Vec3& place_O, const Vec3& goal_O) noexcept;
   Blocker about_closest(const Vec3& place_O, double reach_m, const Blocker& near) noexcept;
   void add(const ProxyWall& wall) noexcept { found_[count_++] = wall; }
 
@@ -39,9 +41,8 @@ class LikelyWalls {
   std::array<ProxyWall, 3> found_;
   std::size_t count_ = 0;
   bool has_one_ahead_ = false;
-  Vec3 ahead_goal_O_ =
-      Vec3::Constant(std::numeric_limits<double>::quiet_NaN());  // closest to this finger ...
-  Blocker ahead_;                                                // ... is this triangle
+  Vec3 ahead_goal_O_ = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());  // a step to this finger ...
+  Blocker ahead_;  // ... likely ends at this triangle
 };
 
 }  // namespace fingerpad

@@ -64,6 +64,9 @@ struct ProxyMemoryLimits {
   static constexpr int closest_packets = 40;
   /// Triangles that are gone over from the one that held the proxy last to the one under it now.
   static constexpr int most_walked = 64;
+  /// Where that does not lead under the finger, facets that look about the same way (60 degrees) count as on
+  /// the same side of a part, and a surface that has turned by so much (5 degrees) as one that turns on.
+  static constexpr double same_side_cosine = 0.5, turning_cosine = 0.996;
   /// Farther than this from a part, in its sizes, the distance to its box is near enough to the truth.
   static constexpr double far_from_box = 4;
   /// Flights through free balls in a tick, each to this share of the ball, so that it ends in front of what

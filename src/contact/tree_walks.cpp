@@ -233,36 +233,6 @@ std::optional<ClosestTriangle> TriangleTree::closest(const Vec3& q, double reach
   return std::nullopt;
 }
 
-ClosestTriangle TriangleTree::about_closest(const Vec3& q, int seed, double reach_m, int most_packets,
-                                            Looks& looks) const noexcept {
-  const Impl& impl = *impl_;
-  const PackedPart& packed = impl.packed;
-  if (!impl.is_searched(q, reach_m)) return {};
-  ClosestSearch search(packed, impl.filter, q, reach_m);
-  const long price = impl.is_cold() ? LookCosts::closest_cold : LookCosts::closest;
-  if (seed >= 0) {
-    search.look_at_seed(seed);
-    looks.spend(price);
-  }
-  const TrianglePacket* const seen = search.looked_at;
-  WindingNumber::NearestPackets nearest(impl.winding, search.scaled);
-  std::size_t index = 0;
-  long paid = 0;
-  for (int k = 0; k < most_packets && !looks.are_spent();) {
-    const double radius = std::sqrt(search.winner.at.distance2_m2) * packed.scale;
-    const bool is_found = nearest.next(index, radius);
-    looks.spend(LookCosts::opened * (nearest.tests() - std::exchange(paid, nearest.tests())));
-    if (!is_found) break;
-    const TrianglePacket& packet = packed.packets[index];
-    looks.spend(LookCosts::passed_over);
-    if (&packet == seen || search.passes_over(packed.discs[index])) continue;
-    search.look_at(packet);
-    looks.spend(price);
-    ++k;
-  }
-  return search.answer();
-}
-
 std::optional<bool> TriangleTree::encloses(const Vec3& q, WindingWalk& walk, Looks& looks) const noexcept {
   const PackedPart& packed = impl_->packed;
   if (!q.allFinite() || q.cwiseAbs().maxCoeff() > tree_range * packed.extent_m) return false;

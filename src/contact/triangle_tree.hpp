@@ -50,6 +50,12 @@ struct BriefSearch {
   bool broken_off = false;                ///< that was; something nearer may be there
 };
 
+/// A triangle that a way goes through.
+struct TriangleMet {
+  int triangle = -1;  ///< index into Part::triangles; -1 when it goes through none
+  double along = std::numeric_limits<double>::infinity();  ///< 0 at its start, 1 at its end
+};
+
 /// A sum over a part's triangles for its winding number that may be broken off.
 struct WindingWalk {
   std::size_t next = 0;    ///< the packet to go on with
@@ -135,6 +141,11 @@ class TriangleTree {
   /// noexcept, allocates nothing.
   ClosestTriangle about_closest(const Vec3& q, int seed, double reach_m, int most_packets,
                                 Looks& looks) const noexcept;
+
+  /// The triangle that a way from q to q + way goes through first, from either side; about so, and none where
+  /// it goes through slivers alone or q is far from the part. Where `looks` are spent, of what it looked at.
+  /// The same on every machine. noexcept, allocates nothing.
+  TriangleMet about_first_met(const Vec3& q, const Vec3& way, Looks& looks) const noexcept;
 
   /// Calls `visit(context, triangle)` once for every triangle whose distance to q is at most `reach_m`, as
   /// `closest` measures it (closest_on_triangle's distance2_m2 <= reach_m * reach_m, in double): those and no

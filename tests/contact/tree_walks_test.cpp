@@ -6,6 +6,8 @@
 
 #include "base/random_stream.hpp"
 #include "contact/closest_memory.hpp"
+#include "contact/segment_crossing.hpp"
+#include "contact/triangle_approach.hpp"
 #include "contact/triangle_tree.hpp"
 #include "support/shapes.hpp"
 
@@ -105,6 +107,49 @@ TEST(TreeWalks, FindTheClosestTriangleAmongTheNearestPackets) {
       ASSERT_GE(about.at.distance2_m2, closest.at.distance2_m2);
       ASSERT_EQ(about.at.distance2_m2, closest_on_triangle(tree.part(), about.triangle, q).distance2_m2);
     }
+  }
+}
+
+/// How far along a segment it goes through a triangle, from either side; infinite where it does not.
+double crossing_of(const Part& part, int t, const SegmentCrossing& segment) {
+  const TriangleCorners f = corners_of(part, t);
+  return std::min(segment.entry(f.a, f.b, f.c), segment.entry(f.a, f.c, f.b));
+}
+
+TEST(TreeWalks, FindAboutWhatAWayMeetsFirst) {
+  RandomStream random(17);
+  for (const TriangleTree& tree : trees()) {
+    const Part& part = tree.part();
+    int met = 0;
+    for (int k = 0; k < 2000; ++k) {
+      const Vec3 from = any(random, 1), to = any(random, k % 2 == 0 ? 1 : 0.2);
+      const SegmentCrossing segment(from, to);
+      double first = unbounded;
+      for (int t = 0; t < part.triangle_count(); ++t) first = std::min(first, crossing_of(part, t, segment));
+      Looks looks(Looks::unlimited);
+      const TriangleMet found = tree.about_first_met(from, to - from, looks);
+      // By rounding a neighbour may be told, but never one farther on.
+      constexpr double rounding = 1e-4;
+      ASSERT_EQ(found.triangle >= 0, first < unbounded) << k;
+      if (found.triangle < 0) continue;
+      ++met;
+      ASSERT_NEAR(found.along, first, rounding) << k;
+      Looks few(30);
+      tree.about_first_met(from, to - from, few);
+      EXPECT_LE(few.spent(), 30 + 300) << "a packet too many at most, and the clusters on the way to it";
+    }
+    EXPECT_GT(met, 300);
+  }
+}
+
+TEST(TreeWalks, FindNothingOnAWayFromNowhere) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const TriangleTree& tree : trees()) {
+    Looks looks(Looks::unlimited);
+    EXPECT_LT(tree.about_first_met(Vec3(nan, 0, 0), Vec3(1, 0, 0), looks).triangle, 0);
+    EXPECT_LT(tree.about_first_met(Vec3(0, 0, 5), Vec3(0, 0, unbounded), looks).triangle, 0);
+    EXPECT_LT(tree.about_first_met(Vec3(0, 0, 1e30), Vec3(0, 0, 1), looks).triangle, 0);
+    EXPECT_LT(tree.about_first_met(Vec3(0, 0, 5), Vec3::Zero(), looks).triangle, 0);
   }
 }
 

@@ -121,8 +121,11 @@ TEST(TouchWindow, FeelsThePointerThatItOpensUnder) {
     return touch.reports.empty() ? Vec3(Vec3::Zero()) : touch.reports.back().target_W;
   };
   const Vec3 pointed = target_after({{0.1, Kind::move, "", ring_x, ring_y}});
-  EXPECT_EQ(target_after({{0.1, Kind::enter, "", ring_x, ring_y}}), pointed);
-  EXPECT_NE(target_after({}), pointed);
+  // The eye's line is reckoned between planes that clip what is drawn, with the finger wherever it is by
+  // then.
+  constexpr double rounding_m = 1e-6;
+  EXPECT_LT((target_after({{0.1, Kind::enter, "", ring_x, ring_y}}) - pointed).norm(), rounding_m);
+  EXPECT_GT((target_after({}) - pointed).norm(), 0.01);
 }
 
 TEST(TouchWindow, SaysThatMarksAreGoneWhereThereWereAny) {

@@ -1,0 +1,113 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "base/random_stream.hpp"
+#include "contact/proxies.hpp"
+#include "support/shapes.hpp"
+
+// Fingers that come out of the air deep into a part within a tick, again and again: the ball ends on the face
+// that it meets first, whatever it has touched before and whatever else is nearer to the finger.
+
+namespace fingerpad::proxy_strike_test {
+namespace {
+
+constexpr double half_m = 0.5, dt_s = 0.001;
+
+/// A cube about the origin, each face of 24 x 24 cells split in two.
+TriangleSoup fine_cube() {
+  constexpr int cells = 24;
+  std::optional<TriangleSoup> cube;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double side : {-1.0, 1.0}) {
+      TriangleSoup face = test::square_soup(2 * half_m, cells);
+      for (Eigen::Index i = 0; i < face.vertices_P.cols(); ++i) {
+        const Vec3 p = face.vertices_P.col(i);
+        Vec3 turned;
+        turned[axis] = side * half_m;
+        turned[(axis + 1) % 3] = p.x();
+        turned[(axis + 2) % 3] = p.y();
+        face.vertices_P.col(i) = turned;
+      }
+      if (side < 0) face = test::reversed(std::move(face));
+      cube = cube ? test::joined(*cube, face) : face;
+    }
+  }
+  return *cube;
+}
+
+double distance_to_cube_m(const Vec3& p) {
+  return (p - p.cwiseMax(Vec3::Constant(-half_m)).cwiseMin(Vec3::Constant(half_m))).norm();
+}
+
+/// The outward normal of the face that a ball meets first on its straight way; none where it is an edge.
+std::optional<Vec3> face_met(const Vec3& from, const Vec3& to, double radius_m) {
+  double before = 0, after = 0;
+  while (after <= 1 && distance_to_cube_m(from + after * (to - from)) > radius_m) {
+    before = after;
+    after += 1e-4;
+  }
+  for (int k = 0; k < 50; ++k) {
+    const double middle = 0.5 * (before + after);
+    (distance_to_cube_m(from + middle * (to - from)) > radius_m ? before : after) = middle;
+  }
+  const Vec3 p = from + before * (to - from);
+  int axis = 0;
+  p.cwiseAbs().maxCoeff(&axis);
+  const Vec3 normal = std::copysign(1.0, p[axis]) * Vec3::Unit(axis);
+  const bool is_over_face = (p.cwiseAbs().array() > half_m).count() == 1;
+  return is_over_face ? std::optional(normal) : std::nullopt;
+}
+
+/// From one direction to another, far outside.
+std::vector<Vec3> way_round(const Vec3& from, const Vec3& to) {
+  constexpr int ticks = 16;
+  const Vec3 a = from.normalized(), b = to.normalized();
+  const double angle = std::acos(std::clamp(a.dot(b), -1.0, 1.0));
+  std::vector<Vec3> way;
+  for (int k = 0; k <= ticks; ++k) {
+    const double turned = angle * k / ticks;
+    way.emplace_back(2 * (std::sin(angle - turned) * a + std::sin(turned) * b) / std::sin(angle));
+  }
+  return way;
+}
+
+TEST(ProxyStrike, EndsOnTheFaceThatItMeets) {
+  const PlacedSurface cube = surface_of(fine_cube());
+  RandomStream random(24);
+  const auto any = [&](double size_m) {
+    return Vec3(Vec3(random.uniform(), random.uniform(), random.uniform()) * 2 * size_m -
+                Vec3::Constant(size_m));
+  };
+  for (const double radius_m : {0.0, 0.02, 0.07}) {
+    Proxy proxy = usual_proxy({cube}, radius_m, Normals::facet);
+    Vec3 outside(0, 0, 1);
+    int strikes = 0;
+    for (int k = 0; k < 500; ++k) {
+      const Vec3 next = any(1.1);
+      if (next.cwiseAbs().maxCoeff() < half_m + radius_m + 0.02) continue;
+      // The way back out of the part is the way in.
+      proxy.move(outside, dt_s);
+      for (const Vec3& p : way_round(outside, next)) proxy.move(p, dt_s);
+      ASSERT_FALSE(proxy.move(next, dt_s).touching());
+      outside = next;
+      const Vec3 finger = any(half_m - 0.03);
+      for (int tick = 0; tick < 20; ++tick) proxy.move(finger, dt_s);
+      const ProxyContact& contact = proxy.move(finger, dt_s);
+      const auto face = face_met(next, finger, radius_m);
+      if (!face || !contact.settled) continue;
+      ++strikes;
+      EXPECT_NEAR(contact.depth_m, half_m + radius_m - face->dot(finger), 1e-9)
+          << "radius " << radius_m << ", from " << next.transpose() << " to " << finger.transpose();
+      EXPECT_GT(contact.direction_W.dot(*face), 1 - 1e-9);
+    }
+    EXPECT_GT(strikes, 200);
+  }
+}
+
+}  // namespace
+}  // namespace fingerpad::proxy_strike_test
