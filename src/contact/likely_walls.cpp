@@ -100,7 +100,9 @@ std::optional<ProxyWall> LikelyWalls::wall_ahead(const Vec3& place_O, const Vec3
                                                  const Blocker& near) noexcept {
   if (ahead_goal_O_ != goal_O) {
     ahead_ = triangle_ahead(place_O, goal_O, way_m, ahead_.triangle < 0 ? near : ahead_);
-    if (!looks_.are_spent()) ahead_goal_O_ = goal_O;
+    // What is looked at in part may lead to the wrong side.
+    if (looks_.are_spent()) return std::nullopt;
+    ahead_goal_O_ = goal_O;
   }
   const Blocker& ahead = ahead_;
   if (ahead.triangle < 0) return std::nullopt;

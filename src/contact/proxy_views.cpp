@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace fingerpad {
 
@@ -61,6 +62,7 @@ ProxyStep ProxyViews::step(const ProxyState& s, const StepTerms& terms) noexcept
   const ProxyStep step = making_.go_on(*this);
   note_blockers(step);
   falls_short_ = step.end == StepEnd::truncated && at_.reach_m <= terms.most_m;
+  if (falls_short_ && bends_in_the_air(step)) return step_past_views(s, terms);
   // A view that was cut to less than `hopeless_share` does not count: the richest view comes next, which
   // shows more.
   const bool is_hopeless = view_.is_cut() && at_.reach_m < Limits::hopeless_share * world_.clearance_m();
@@ -71,12 +73,20 @@ ProxyStep ProxyViews::step(const ProxyState& s, const StepTerms& terms) noexcept
   return step;
 }
 
+/// Whether a step has been turned off its straight way before the ball is at what turns it. One that is cut
+/// short so goes on from beside that way, and may come by another side of what stands there.
+bool ProxyViews::bends_in_the_air(const ProxyStep& step) const noexcept {
+  const std::span<const ProxyWall> walls = step.held_by();
+  return !walls.empty() && std::none_of(walls.begin(), walls.end(), [this](const ProxyWall& wall) {
+    return wall.least_m >= -world_.touching_m();
+  });
+}
+
 /// A step that the trees are asked for along its whole way, as the plain sight does; but it begins with the
 /// walls that likely hold it.
 ProxyStep ProxyViews::step_past_views(const ProxyState& s, const StepTerms& terms) noexcept {
   const double way_m = std::min((s.goal_O - s.place_O).norm(), terms.most_m);
   likely_.find(s.place_O, s.goal_O, way_m, view_.blockers());
-  if (looks_.are_spent()) return broken_off_step();
   at_ = {s.place_O, way_m * (1 + Limits::rounding)};
   view_.leave();
   goes_past_views_ = true;

@@ -39,6 +39,7 @@ class ProxyViews : public LimitedSight {
 
  private:
   ProxyStep step_past_views(const ProxyState& state, const StepTerms& terms) noexcept;
+  bool bends_in_the_air(const ProxyStep& step) const noexcept;
   void note_blockers(const ProxyStep& step) noexcept;
   bool offer_part(int surface, const Vec3& z, std::span<const ProxyWall> walls,
                   LookRound& round) noexcept override;
