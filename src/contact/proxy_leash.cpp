@@ -16,7 +16,7 @@ double ProxyLeash::share_of(const Vec3& place_O, const Vec3& z) const noexcept {
 }
 
 ProxyLeash leash_after(const Vec3& push, const ProxyWorld& world, const ProxyState& state) noexcept {
-  if (!state.contact.touching()) return {};
+  if (!state.contact.touching() || state.arrives_s > 0) return {};
   // What is shown of it has no skin, and may change by as much more.
   const double most_m = most_step_m(state, push.norm()) - 2 * world.skin_m();
   const double length_m = std::max(most_m, state.finger_m + push.norm() * state.rest_share);

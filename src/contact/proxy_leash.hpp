@@ -29,7 +29,8 @@ struct ProxyLeash {
   double share_of(const Vec3& place_O, const Vec3& z) const noexcept;
 };
 
-/// The leash of a tick in which the finger has gone to state.goal_O; none where it touched nothing before.
+/// The leash of a tick in which the finger has gone to state.goal_O; none where it touched nothing before, or
+/// its first touch has not come to its end.
 /// @param push  from the finger to the proxy, before it went
 ProxyLeash leash_after(const Vec3& push, const ProxyWorld& world, const ProxyState& state) noexcept;
 

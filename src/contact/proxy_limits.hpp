@@ -36,6 +36,9 @@ struct ProxyLimits {
   static constexpr double proxy_per_finger = 2;
   /// ... or, where the finger rests, lets the depth go in this time [s]: a motion and not a blow.
   static constexpr double release_s = 0.5;
+  /// A first touch may be anything, and so may what is left of it where its tick's looks ran out, for so
+  /// long [s]: the blow lasts no longer than it is felt as one.
+  static constexpr double arrival_s = 0.02;
   /// On its way round a rounding the push turns with the proxy, which therefore keeps up as long as its way
   /// is at most so many times as long as the finger's. That is where the finger is no deeper than this share
   /// of the rounding's radius and the ball's together.

@@ -54,7 +54,8 @@ struct ProxyState {
   ProxyStep hold;  ///< the last step, with the walls that stopped it
 
   ProxyContact contact;
-  bool lags = false;  ///< a hop is still on its way to be shown
+  bool lags = false;     ///< a hop is still on its way to be shown
+  double arrives_s = 0;  ///< how long what is left of a first touch, which has not settled, may still take
 
   // Of one tick:
   double finger_m = 0;                    ///< how far the finger went
