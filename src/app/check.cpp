@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <optional>
+#include <set>
 #include <span>
 #include <utility>
 
@@ -140,37 +142,38 @@ std::string surface_words(const Scene& scene, std::size_t i) {
 }
 
 /// On standard error, and in the objects of the parts that they are of.
-/// @param parts  as many objects as the scene has parts, or none
-void tell_overlaps(const Scene& scene, const std::string& path, const World& world, std::span<Json> parts) {
+/// @param objects  of the scene's parts, or its own where it has none; or none at all
+void tell_overlaps(const Scene& scene, const std::string& path, const World& world, std::span<Json> objects) {
   for (const Overlap& overlap : overlaps(placed_surfaces(world))) {
     print_err("fingerpad: {}: {} and {} overlap by {} mm at ({}, {}, {}) m; is that meant?\n", path,
               surface_words(scene, overlap.one), surface_words(scene, overlap.other),
               rounded_text(1e3 * overlap.depth_m, 3), rounded_text(overlap.at_W.x(), 4),
               rounded_text(overlap.at_W.y(), 4), rounded_text(overlap.at_W.z(), 4));
     for (const auto& [of, with] : {std::pair(overlap.one, overlap.other), {overlap.other, overlap.one}}) {
-      if (of >= parts.size()) continue;  // a plane
-      parts[of]["overlaps"].push_back({{"with", surface_words(scene, with)},
-                                       {"depth_m", overlap.depth_m},
-                                       {"at_m", corner(overlap.at_W)}});
+      if (of >= std::min(objects.size(), scene.parts.size())) continue;  // a plane
+      objects[of]["overlaps"].push_back({{"with", surface_words(scene, with)},
+                                         {"depth_m", overlap.depth_m},
+                                         {"at_m", corner(overlap.at_W)}});
     }
   }
 }
 
-/// On standard output, or in the parts' objects, what there is to follow; how it was read, and what is odd
-/// about it, goes to standard error.
-void tell_motion(const Scene& scene, const std::string& path, const LoadedMotion& motion, const World& world,
-                 bool as_json, std::span<Json> parts) {
+/// On standard output, or in the objects, what there is to follow; how it was read, and what is odd about it,
+/// goes to standard error.
+/// @param whose  what is odd: the scene, or one of its recordings
+void tell_motion(const Scene& scene, const std::string& path, const std::string& whose,
+                 const LoadedMotion& motion, const World& world, bool as_json, std::span<Json> objects) {
   const MotionCheck check = look_at_motion(scene, motion, world);
   if (!as_json) write_stream(stdout, motion_text(check, path));
-  for (Json& part : parts) part["motion"] = motion_json(check);
+  for (Json& object : objects) object["motions"].push_back(motion_json(check, motion.warnings));
   for (const std::string& note : motion.notes) print_err("fingerpad: {}\n", note);
   for (const std::string& warning : motion.warnings) print_err("fingerpad: warning: {}\n", warning);
-  if (!check.hint.empty()) print_err("fingerpad: warning: {}: {}\n", path, check.hint);
+  if (!check.hint.empty()) print_err("fingerpad: warning: {}: {}\n", whose, check.hint);
 }
 
 /// Of what a scene says beside its parts: refuses, or tells, what replay would before its first tick.
 void look_at_finger_and_motion(const Scene& scene, const std::string& path, const World& world, bool as_json,
-                               std::span<Json> parts) {
+                               std::span<Json> objects) {
   refuse_missing_inputs(scene);
   refuse_huge_finger(world, scene);
   std::optional<LoadedMotion> motion;
@@ -179,11 +182,23 @@ void look_at_finger_and_motion(const Scene& scene, const std::string& path, cons
     print_out("{}: can be touched\n  {} and no mesh: there is none to look at\n", path,
               count_words(scene.planes.size(), "plane"));
   if (motion)
-    tell_motion(scene, path, *motion, world, as_json, parts);
+    tell_motion(scene, path, path, *motion, world, as_json, objects);
   else if (!as_json)
     print_out("{}: has no [motion]: to touch and to view, not to replay\n", path);
   if (const std::string hint = finger_hint(world, scene); !hint.empty())
     print_err("fingerpad: warning: {}\n", hint);
+}
+
+/// Of a set's other recordings, each once, as if all that its first job has were there to touch.
+void look_at_further_recordings(const SceneFile& file, const std::string& path, const World& world,
+                                bool as_json, std::span<Json> objects) {
+  std::set<std::string> seen = {file.jobs.front().scene.motion.file, ""};
+  for (const SceneJob& job : file.jobs) {
+    if (!job.error.empty() || !seen.insert(job.scene.motion.file).second) continue;
+    refuse_missing_inputs(job.scene);
+    tell_motion(job.scene, path, path + ": " + printable(job.scene.motion.file), load_motion(job.scene),
+                world, as_json, objects);
+  }
 }
 
 /// The parts of a scene, of a set those of its first job, each as the scene takes it and where it places it.
@@ -191,7 +206,8 @@ bool check_scene(const std::string& path, bool as_json, Json& report) {
   const SceneFile file = read_scene_file(path);
   if (!file.jobs.front().error.empty()) throw Error(ErrorKind::refused, "", file.jobs.front().error);
   if (file.jobs.size() > 1)
-    print_err("fingerpad: {}: looked at the first of its {} jobs\n", path, file.jobs.size());
+    print_err("fingerpad: {}: looked at the first of its {} jobs, and at all recordings\n", path,
+              file.jobs.size());
   const Scene& scene = file.jobs.front().scene;
   bool all_touchable = true;
   World world;
@@ -216,11 +232,21 @@ bool check_scene(const std::string& path, bool as_json, Json& report) {
     surface.plane_point_W = plane.point_m;
     surface.plane_normal_W = plane.normal;
   }
-  std::span<Json> parts;
-  if (as_json) parts = std::span(report.get_ref<Json::array_t&>()).last(scene.parts.size());
-  for (Json& part : parts) part["overlaps"] = Json::array();
-  tell_overlaps(scene, path, world, parts);
-  look_at_finger_and_motion(scene, path, world, as_json, parts);
+  std::span<Json> objects;
+  if (as_json) {
+    if (scene.parts.empty()) report.push_back({{"file", path}, {"touchable", true}, {"error", ""}});
+    objects = std::span(report.get_ref<Json::array_t&>()).last(std::max<std::size_t>(1, scene.parts.size()));
+  }
+  for (Json& object : objects) {
+    object["overlaps"] = Json::array();
+    object["motions"] = Json::array();
+  }
+  tell_overlaps(scene, path, world, objects);
+  look_at_finger_and_motion(scene, path, world, as_json, objects);
+  look_at_further_recordings(file, path, world, as_json, objects);
+  for (Json& object : objects) {
+    if (!object["motions"].empty()) object["motion"] = object["motions"].front();
+  }
   return all_touchable;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <utility>
 
 #include "base/count_words.hpp"
 #include "base/number_text.hpp"
@@ -88,8 +89,13 @@ MotionCheck look_at_motion(const Scene& scene, const LoadedMotion& motion, const
       approach.gap_m < approach.between_m || approach.gap_m <= 0 || crosses_a_part(world, path);
   check.nearest_m = may_touch ? 0 : approach.gap_m - approach.between_m;
   if (scene.hand) return check;  // where it goes its goal does not tell
-  check.hint = may_touch ? far_words(check, world)
-                         : never_touches(world, path, approach, radius_m, !scene.motion.placement.is_world());
+  if (!may_touch) {
+    check.hint = never_touches(world, path, approach, radius_m, !scene.motion.placement.is_world());
+    return check;
+  }
+  // How deep it is in a part depends on how it came there.
+  if (world.surfaces[approach.surface].is_plane()) check.hint = pressed_too_deep(scene, -approach.gap_m);
+  if (check.hint.empty()) check.hint = far_words(check, world);
   return check;
 }
 
@@ -100,14 +106,16 @@ std::string motion_text(const MotionCheck& motion, const std::string& scene_path
       rounded_text(motion.rate_hz, 6), rounded_text(motion.duration_s, 6), box_words(motion.box_W));
 }
 
-nlohmann::ordered_json motion_json(const MotionCheck& motion) {
+nlohmann::ordered_json motion_json(const MotionCheck& motion, std::vector<std::string> warnings) {
+  if (!motion.hint.empty()) warnings.push_back(motion.hint);
   const auto place = [](const Vec3& p) { return nlohmann::ordered_json{p.x(), p.y(), p.z()}; };
   return {{"name", motion.name},
           {"ticks", motion.ticks},
           {"rate_hz", motion.rate_hz},
           {"duration_s", motion.duration_s},
           {"bounds_m", {{"min", place(motion.box_W.min)}, {"max", place(motion.box_W.max)}}},
-          {"nearest_m", motion.nearest_m}};
+          {"nearest_m", motion.nearest_m},
+          {"warnings", std::move(warnings)}};
 }
 
 }  // namespace fingerpad

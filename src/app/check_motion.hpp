@@ -2,6 +2,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
 #include "part/bounds.hpp"
 #include "touch/world.hpp"
@@ -16,7 +17,7 @@ struct MotionCheck {
   double rate_hz = 0, duration_s = 0;
   Bounds box_W;          ///< of the finger's whole way [m]
   double nearest_m = 0;  ///< of the finger's skin at its ticks; 0 where it touches something, or may
-  std::string hint;      ///< that it touches nothing, or goes far beyond the parts; empty where it does not
+  std::string hint;  ///< that it touches nothing, goes far beyond the parts or far into a plane; else empty
 };
 
 /// Goes along the motion, or along so many of its ticks as tell it.
@@ -25,6 +26,7 @@ MotionCheck look_at_motion(const Scene& scene, const LoadedMotion& motion, const
 
 /// "... can be followed", with how long it takes and where it goes; ends with a newline.
 std::string motion_text(const MotionCheck& motion, const std::string& scene_path);
-nlohmann::ordered_json motion_json(const MotionCheck& motion);
+/// @param warnings  what was said of how it was read, beside its hint
+nlohmann::ordered_json motion_json(const MotionCheck& motion, std::vector<std::string> warnings);
 
 }  // namespace fingerpad

@@ -83,4 +83,11 @@ std::string never_touches(const World& world, const FingerPath& path, const Near
       remedy);
 }
 
+std::string pressed_too_deep(const Scene& scene, double depth_m) {
+  constexpr double deepest_m = 0.1, mm_per_m = 1e3;
+  if (scene.motion.file.empty() || !(depth_m > deepest_m)) return "";
+  return fmt::format("the finger is pressed {} mm deep, which no finger is: check [motion] unit{}",
+                     rounded_text(mm_per_m * depth_m, 4), scene.parts.empty() ? "" : " and [[part]] unit");
+}
+
 }  // namespace fingerpad

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "replay/nearest_approach.hpp"
+#include "scene/scene.hpp"
 
 namespace fingerpad {
 
@@ -15,5 +16,9 @@ std::string never_touches(const World& world, const FingerPath& path, double rad
 /// The same where it is known already how near it came.
 std::string never_touches(const World& world, const FingerPath& path, const NearestApproach& nearest,
                           double radius_m, bool is_placed);
+
+/// What to say of a recording that presses the finger in so deep as no finger is: its unit is likely
+/// another. Empty of scripted motions, and of depths that may be.
+std::string pressed_too_deep(const Scene& scene, double depth_m);
 
 }  // namespace fingerpad

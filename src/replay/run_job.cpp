@@ -113,13 +113,8 @@ void warn(JobResult& result, std::string words) {
 
 /// A recording whose unit was forgotten touches nothing, or presses far deeper than a finger can.
 void warn_of_odd_depth(const Scene& scene, const World& world, const FingerPath& path, JobResult& result) {
-  constexpr double deepest_m = 0.1, mm_per_m = 1e3;
-  const double depth_m = Figures::of(result.figures, "max_depth_m");
-  if (!scene.motion.file.empty() && depth_m > deepest_m)
-    warn(result,
-         fmt::format("{}: the finger is pressed {} mm deep, which no finger is: check [motion] unit{}",
-                     scene.name, rounded_text(mm_per_m * depth_m, 4),
-                     scene.parts.empty() ? "" : " and [[part]] unit"));
+  const std::string deep = pressed_too_deep(scene, Figures::of(result.figures, "max_depth_m"));
+  if (!deep.empty()) warn(result, fmt::format("{}: {}", scene.name, deep));
   if (Figures::of(result.figures, "contact_ticks") > 0) return;
   const std::string words =
       never_touches(world, path, scene.finger.radius_m, !scene.motion.placement.is_world());

@@ -226,7 +226,7 @@ std::string not_enough_words(const std::vector<Tried>& tried, const Left& as_it_
       return fmt::format("{} would not be enough: facets are too coarse for it, {} times smaller ones too",
                          one.change.words, most_times_finer);
   }
-  if (!tried.empty()) return "nothing that was tried would";
+  if (!tried.empty()) return "no change that was tried would keep it";
   return as_it_is.is_facets_alone() ? fmt::format("facets {} times smaller would not", most_times_finer)
                                     : "nothing is known that would";
 }

@@ -334,6 +334,52 @@ TEST(Check, TellsOfAMotionThatTouchesNothingAndOfOneThatGoesFarBeyond) {
   EXPECT_THAT(sheet("-0.03", "0.01"), Not(HasSubstr("never touches")));
 }
 
+// In millimetres and read as metres: replay says so after its run, and check before it.
+TEST(Check, TellsOfARecordingThatIsPressedFarIntoAPlane) {
+  const fs::path folder = folder_with_inputs();
+  std::ofstream(folder / "press.csv") << "t_s,x_m,y_m,z_m\n0,0,0,1\n0.1,5,0,-0.5\n";
+  std::ofstream(folder / "s.toml") << "[[plane]]\npoint_m = [0, 0, 0]\nnormal = [0, 0, 1]\n"
+                                      "[motion]\nfile = \"press.csv\"\n";
+  const std::string deep = "s: the finger is pressed 500 mm deep, which no finger is: check [motion] unit";
+  EXPECT_THAT(test::fingerpad("replay s.toml --out o", folder).err, HasSubstr(deep));
+  EXPECT_THAT(test::fingerpad("check s.toml", folder).err, HasSubstr(".toml" + deep.substr(1)));
+  const auto report = nlohmann::json::parse(test::fingerpad("check s.toml --json", folder).out);
+  ASSERT_EQ(report.size(), 1u) << "one for the scene, which has no mesh";
+  EXPECT_EQ(report[0]["file"], "s.toml");
+  EXPECT_EQ(report[0]["touchable"], true);
+  EXPECT_EQ(report[0]["motion"]["ticks"], 2);
+  ASSERT_EQ(report[0]["motion"]["warnings"].size(), 1u);
+  EXPECT_THAT(report[0]["motion"]["warnings"][0].get<std::string>(), HasSubstr("500 mm deep"));
+}
+
+TEST(Check, LooksAtAllRecordingsOfASet) {
+  const fs::path folder = folder_with_inputs();
+  std::ofstream(folder / "touches.csv") << "t_s,x_m,y_m,z_m\n0,0,0,0.1\n0.1,0,0,0\n";
+  std::ofstream(folder / "misses.csv") << "t_s,x_m,y_m,z_m\n0,0,0,1\n0.1,0.01,0,1\n";
+  const auto check = [&folder](const std::string& files, const std::string& how) {
+    std::ofstream(folder / "s.toml") << "[[part]]\nmesh = \"box.stl\"\n[motion]\nfile = \"touches.csv\"\n"
+                                        "[[set]]\nmotion.file = [" +
+                                            files + "]\nfinger.radius_m = [0.001, 0.002]\n";
+    return test::fingerpad("check s.toml" + how, folder);
+  };
+  const std::string two = "\"touches.csv\", \"misses.csv\"";
+  const ShellResult told = check(two, "");
+  EXPECT_EQ(told.exit_code, 0) << told.err;
+  EXPECT_THAT(told.err, HasSubstr("looked at the first of its 4 jobs, and at all recordings"));
+  EXPECT_THAT(told.err, HasSubstr("s.toml: misses.csv: the motion never touches: it comes nearest at t = "));
+  EXPECT_THAT(told.out,
+              testing::ContainsRegex("touches.csv can be followed(.|\n)*misses.csv can be followed"));
+  const auto report = nlohmann::json::parse(check(two, " --json").out);
+  ASSERT_EQ(report.size(), 1u) << "an object for each mesh";
+  EXPECT_EQ(report[0]["motion"]["name"], "touches.csv");
+  ASSERT_EQ(report[0]["motions"].size(), 2u) << "each once";
+  EXPECT_EQ(report[0]["motions"][0]["warnings"].size(), 0u);
+  EXPECT_EQ(report[0]["motions"][1]["warnings"].size(), 1u);
+  const ShellResult lacking = check("\"touches.csv\", \"nowhere.csv\"", "");
+  EXPECT_EQ(lacking.exit_code, 3);
+  EXPECT_THAT(lacking.err, HasSubstr("nowhere.csv"));
+}
+
 TEST(Refusals, OfASubcommandNameTheNearest) {
   const fs::path folder = test::scratch_dir();
   expect_told(test::fingerpad("repaly scene.toml --out o", folder), 2,
