@@ -14,15 +14,10 @@ using Limits = ProxyMemoryLimits;
 
 namespace {
 
-struct TriangleUnder {
-  int triangle;
-  bool is_whole;  ///< the way has come to its end
-};
-
 /// The triangle over whose face a place lies, going from one to its neighbour across the edge that the place
 /// is farthest beyond. The way ends at a triangle without a neighbour there, and at one whose neighbour would
 /// lead straight back: over a convex edge a place is beyond both.
-TriangleUnder triangle_under(const Part& part, int triangle, const Vec3& q_P, Looks& looks) noexcept {
+int triangle_under(const Part& part, int triangle, const Vec3& q_P, Looks& looks) noexcept {
   int before = -1;
   for (int k = 0; k < Limits::most_walked; ++k) {
     looks.spend(LookCosts::told);
@@ -37,16 +32,70 @@ TriangleUnder triangle_under(const Part& part, int triangle, const Vec3& q_P, Lo
       farthest_m = beyond_m;
       next = part.neighbours(edge, triangle);
     }
-    if (next < 0 || next == before) return {triangle, true};
+    if (next < 0 || next == before) break;
     before = std::exchange(triangle, next);
   }
-  return {triangle, false};
+  return triangle;
+}
+
+/// A way over a part's surface.
+struct Slide {
+  enum class End { under, held, cut };
+
+  int triangle;        ///< where it ends
+  Vec3 at_P;           ///< on it
+  End end = End::cut;  ///< under the place; at a rim, or an edge beyond which it would lead straight back; or
+                       ///< it was cut short
+};
+
+/// The way from there towards a place, in each triangle straight to the foot of the place on its plane: that
+/// of a point that is drawn to the place and cannot leave the surface.
+Slide slide_under(const Part& part, Slide slide, const Vec3& to_P, Looks& looks) noexcept {
+  int before = -1;
+  for (int k = 0; k < Limits::most_walked; ++k) {
+    looks.spend(LookCosts::told);
+    const TriangleCorners f = corners_of(part, slide.triangle);
+    const std::array<Vec3, 3> corners = {f.a, f.b, f.c};
+    const Vec3 straight = to_P - slide.at_P, way = straight - f.normal.dot(straight) * f.normal;
+    double share = 1;
+    int leaves_by = -1;
+    for (int edge = 0; edge < 3; ++edge) {
+      const Vec3 &from = corners[edge], along = corners[(edge + 1) % 3] - from;
+      const Vec3 out = along.cross(f.normal);
+      const double speed = out.dot(way), room = out.dot(from - slide.at_P);
+      if (!(speed > 0 && room < share * speed)) continue;
+      share = std::max(0.0, room / speed);
+      leaves_by = edge;
+    }
+    slide.at_P += share * way;
+    if (leaves_by < 0) {
+      slide.end = Slide::End::under;
+      return slide;
+    }
+    const int next = part.neighbours(leaves_by, slide.triangle);
+    if (next < 0 || next == before) {
+      slide.end = Slide::End::held;
+      return slide;
+    }
+    before = std::exchange(slide.triangle, next);
+  }
+  return slide;
 }
 
 }  // namespace
 
-void LikelyWalls::forget() noexcept {
+/// Where the straight way meets a part.
+struct LikelyWalls::Met {
+  int surface = -1, triangle = -1;
+  Vec3 at_P = Vec3::Zero();
+};
+
+void LikelyWalls::let_go() noexcept {
   ahead_goal_O_ = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
+}
+
+void LikelyWalls::forget() noexcept {
+  let_go();
   ahead_ = {};
 }
 
@@ -72,7 +121,7 @@ void LikelyWalls::find(const Vec3& place_O, const Vec3& goal_O, double way_m,
     });
     if (has_one_ahead_) add(*ahead);
   }
-  if (count_ > 0) return;
+  if (count_ > 0 || looks_.are_spent()) return;
   if (const auto below = wall_below(place_O, way_m, blockers[0])) add(*below);
 }
 
@@ -81,8 +130,7 @@ void LikelyWalls::find(const Vec3& place_O, const Vec3& goal_O, double way_m,
 std::optional<ProxyWall> LikelyWalls::wall_touched(const Blocker& blocker, const Vec3& place_O) noexcept {
   if (blocker.triangle < 0) return std::nullopt;
   const int triangle = triangle_under(world_.part(blocker.surface), blocker.triangle,
-                                      world_.in_part(blocker.surface, place_O), looks_)
-                           .triangle;
+                                      world_.in_part(blocker.surface, place_O), looks_);
   const ProxyWall wall = world_.wall_at(blocker.surface, triangle, place_O);
   return std::abs(wall.least_m) <= world_.touching_m() ? std::optional(wall) : std::nullopt;
 }
@@ -104,53 +152,68 @@ std::optional<ProxyWall> LikelyWalls::wall_ahead(const Vec3& place_O, const Vec3
     if (looks_.are_spent()) return std::nullopt;
     ahead_goal_O_ = goal_O;
   }
-  const Blocker& ahead = ahead_;
-  if (ahead.triangle < 0) return std::nullopt;
-  const ProxyWall seen = world_.tangent_wall(ahead.surface, ahead.triangle, goal_O, place_O);
+  if (ahead_.triangle < 0) return std::nullopt;
+  const ProxyWall seen = world_.tangent_wall(ahead_.surface, ahead_.triangle, goal_O, place_O);
   if (seen.least_m <= world_.tolerance_m()) return seen;
   // The finger is behind it: its own plane, if the ball is in front of that.
-  const TriangleCorners f = corners_of(world_.part(ahead.surface), ahead.triangle);
-  const Vec3 place_P = world_.in_part(ahead.surface, place_O);
+  const TriangleCorners f = corners_of(world_.part(ahead_.surface), ahead_.triangle);
+  const Vec3 place_P = world_.in_part(ahead_.surface, place_O);
   const FacetSide facet = facet_side(f, place_P, place_P, world_.clearance_m(), world_.tolerance_m());
   if (facet.side == 0) return std::nullopt;
-  return ProxyWall{world_.turned_from_part(ahead.surface, facet.side * f.normal), -facet.slack_m,
-                   ahead.surface, ahead.triangle};
+  return ProxyWall{world_.turned_from_part(ahead_.surface, facet.side * f.normal), -facet.slack_m,
+                   ahead_.surface, ahead_.triangle};
 }
 
-/// The one under the finger, where the surface leads there from where the straight way meets it: what is
-/// closer to the finger may belong to another side of the part, on which the step does not end. Else one that
-/// is about the closest.
+/// The one that the surface leads to from where the straight way meets it: what is closer to the finger may
+/// belong to another side of the part, on which the step does not end. None where the ball touches something
+/// else first. Of a way that meets nothing the one about the closest to the finger.
 Blocker LikelyWalls::triangle_ahead(const Vec3& place_O, const Vec3& goal_O, double way_m,
                                     const Blocker& near) noexcept {
   const double reach_m = std::max(way_m, world_.clearance_m());
-  const Blocker met = first_met(place_O, goal_O);
+  const Met met = first_met(place_O, goal_O);
+  if (looks_.are_spent()) return {};
   if (met.triangle < 0) return about_closest(goal_O, reach_m, near);
   const Part& part = world_.part(met.surface);
-  const TriangleUnder under = triangle_under(part, met.triangle, world_.in_part(met.surface, goal_O), looks_);
-  if (under.is_whole) return {met.surface, under.triangle};
+  const Vec3 goal_P = world_.in_part(met.surface, goal_O);
+  if (!is_touched_first(met, world_.in_part(met.surface, place_O), goal_P)) return {};
+  const Slide slide = slide_under(part, {met.triangle, met.at_P}, goal_P, looks_);
+  if (slide.end != Slide::End::cut) return {met.surface, slide.triangle};
   // It is farther than one goes from triangle to triangle. A surface that has turned so far may turn on.
   const Blocker closest = about_closest(goal_O, reach_m, near);
-  if (closest.surface != met.surface || closest.triangle < 0) return {met.surface, under.triangle};
+  if (closest.surface != met.surface || closest.triangle < 0) return {met.surface, slide.triangle};
   const auto turn_cosine = [&](int from, int to) {
     return part.facet_normals.col(from).dot(part.facet_normals.col(to));
   };
-  const bool may_lead_there = turn_cosine(met.triangle, under.triangle) < Limits::turning_cosine ||
-                              turn_cosine(under.triangle, closest.triangle) > Limits::same_side_cosine;
-  return may_lead_there ? closest : Blocker{met.surface, under.triangle};
+  const bool may_lead_there = turn_cosine(met.triangle, slide.triangle) < Limits::turning_cosine ||
+                              turn_cosine(slide.triangle, closest.triangle) > Limits::same_side_cosine;
+  return may_lead_there ? closest : Blocker{met.surface, slide.triangle};
 }
 
-/// The triangle that the straight way to the finger meets first, about.
-Blocker LikelyWalls::first_met(const Vec3& place_O, const Vec3& goal_O) noexcept {
-  Blocker first;
+/// The triangle that the straight way to the finger meets first, about, and where.
+LikelyWalls::Met LikelyWalls::first_met(const Vec3& place_O, const Vec3& goal_O) noexcept {
+  Met first;
   double along = std::numeric_limits<double>::infinity();
   for (const int i : world_.parts()) {
-    const TriangleMet met = world_.surface(i).tree->about_first_met(
-        world_.in_part(i, place_O), world_.turned_into_part(i, goal_O - place_O), looks_);
+    const Vec3 place_P = world_.in_part(i, place_O), way_P = world_.turned_into_part(i, goal_O - place_O);
+    const TriangleMet met = world_.surface(i).tree->about_first_met(place_P, way_P, looks_);
     if (!(met.along < along)) continue;
-    first = {i, met.triangle};
     along = met.along;
+    first = {i, met.triangle, place_P + along * way_P};
   }
   return first;
+}
+
+/// Whether the ball comes to lie on the surface there before anything else, as far as that tells: from where
+/// its centre's way meets the surface this leads under where it lies on the triangle's plane. Else an edge is
+/// in its way.
+bool LikelyWalls::is_touched_first(const Met& met, const Vec3& place_P, const Vec3& goal_P) noexcept {
+  const Part& part = world_.part(met.surface);
+  const Vec3 normal = part.facet_normals.col(met.triangle);
+  const double from_m = normal.dot(place_P - met.at_P), to_m = normal.dot(goal_P - met.at_P);
+  const double lies_at_m = std::copysign(world_.clearance_m(), from_m);
+  if (!(std::abs(from_m) > world_.clearance_m())) return true;  // it lies there, or all but
+  const Vec3 lies_P = place_P + (from_m - lies_at_m) / (from_m - to_m) * (goal_P - place_P);
+  return slide_under(part, {met.triangle, met.at_P}, lies_P, looks_).end != Slide::End::held;
 }
 
 /// @param near  where to begin, if the surface goes on from there
@@ -158,8 +221,7 @@ Blocker LikelyWalls::about_closest(const Vec3& place_O, double reach_m, const Bl
   Blocker closest;
   for (const int i : world_.parts()) {
     const Vec3 place_P = world_.in_part(i, place_O);
-    const int seed =
-        near.surface == i ? triangle_under(world_.part(i), near.triangle, place_P, looks_).triangle : -1;
+    const int seed = near.surface == i ? triangle_under(world_.part(i), near.triangle, place_P, looks_) : -1;
     const ClosestTriangle found =
         world_.surface(i).tree->about_closest(place_P, seed, reach_m, Limits::closest_packets, looks_);
     if (found.triangle < 0) continue;

@@ -14,7 +14,7 @@ class LikelyWalls {
  public:
   LikelyWalls(const ProxyWorld& world, Looks& looks) noexcept : world_(world), looks_(looks) {}
 
-  /// Looks for them.
+  /// Looks for them. Where the looks run out, for fewer.
   /// @param way_m  how far the step may go
   /// @param blockers  what held the proxy last
   void find(const Vec3& place_O, const Vec3& goal_O, double way_m,
@@ -24,6 +24,8 @@ class LikelyWalls {
   /// One of them is ahead, and not where the step begins.
   bool has_one_ahead() const noexcept { return has_one_ahead_; }
 
+  /// The next steps begin from elsewhere.
+  void let_go() noexcept;
   void forget() noexcept;
 
  private:
@@ -32,7 +34,9 @@ class LikelyWalls {
   std::optional<ProxyWall> wall_ahead(const Vec3& place_O, const Vec3& goal_O, double way_m,
                                       const Blocker& near) noexcept;
   Blocker triangle_ahead(const Vec3& place_O, const Vec3& goal_O, double way_m, const Blocker& near) noexcept;
-  Blocker first_met(const Vec3& place_O, const Vec3& goal_O) noexcept;
+  struct Met;
+  Met first_met(const Vec3& place_O, const Vec3& goal_O) noexcept;
+  bool is_touched_first(const Met& met, const Vec3& place_P, const Vec3& goal_P) noexcept;
   Blocker about_closest(const Vec3& place_O, double reach_m, const Blocker& near) noexcept;
   void add(const ProxyWall& wall) noexcept { found_[count_++] = wall; }
 

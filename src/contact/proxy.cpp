@@ -34,7 +34,8 @@ const ProxyContact& Proxy::move(const Vec3& p_WQ, double dt_s) noexcept {
     return state_.contact;
   }
   begin_tick(dt_s);
-  const bool was_behind = state_.contact.behind, was_free = !state_.contact.touching();
+  const bool was_behind = state_.contact.behind,
+             was_free = !state_.contact.touching() && state_.contact.settled;
   const bool goes_on = std::exchange(state_.contact.broken_off, false) && state_.placed;
   if (!state_.placed && !start(goal_O)) return state_.contact;
   const Vec3 push = state_.place_O - state_.goal_O;
@@ -43,7 +44,7 @@ const ProxyContact& Proxy::move(const Vec3& p_WQ, double dt_s) noexcept {
   if (goes_on || !sight_->carry(state_)) follow(leash_after(push, world(), state_), goes_on);
   state_.contact.behind = state_.contact.broken_off || (was_behind && !state_.contact.settled);
   const double left_s = was_free ? ProxyLimits::arrival_s : state_.arrives_s - dt_s;
-  state_.arrives_s = state_.contact.settled ? 0 : std::max(0.0, left_s);
+  state_.arrives_s = state_.contact.broken_off ? std::max(0.0, left_s) : 0;
   return state_.contact;
 }
 

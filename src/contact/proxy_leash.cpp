@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "contact/proxy_limits.hpp"
 
@@ -16,7 +17,7 @@ double ProxyLeash::share_of(const Vec3& place_O, const Vec3& z) const noexcept {
 }
 
 ProxyLeash leash_after(const Vec3& push, const ProxyWorld& world, const ProxyState& state) noexcept {
-  if (!state.contact.touching() || state.arrives_s > 0) return {};
+  if (!state.contact.touching()) return {};
   // What is shown of it has no skin, and may change by as much more.
   const double most_m = most_step_m(state, push.norm()) - 2 * world.skin_m();
   const double length_m = std::max(most_m, state.finger_m + push.norm() * state.rest_share);
@@ -24,6 +25,7 @@ ProxyLeash leash_after(const Vec3& push, const ProxyWorld& world, const ProxySta
 }
 
 double most_step_m(const ProxyState& state, double last_m) noexcept {
+  if (state.arrives_s > 0) return std::numeric_limits<double>::infinity();
   return state.finger_m + std::max(ProxyLimits::proxy_per_finger * state.finger_m, last_m * state.rest_share);
 }
 

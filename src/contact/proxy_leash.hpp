@@ -15,6 +15,9 @@ namespace fingerpad {
 // rounding the proxy keeps up while it has at most four times as far to go as the finger, which is as deep as
 // three quarters of the rounding's radius and the ball's together.
 //
+// A first touch may be anything; and so, for `arrival_s`, may what is left of it where its tick's looks ran
+// out.
+//
 // A hop over a smooth edge does not count towards this, since there the facets give way and not the shape;
 // the steps after it do. It may add 7 % of the depth, which nobody feels.
 
@@ -29,13 +32,12 @@ struct ProxyLeash {
   double share_of(const Vec3& place_O, const Vec3& z) const noexcept;
 };
 
-/// The leash of a tick in which the finger has gone to state.goal_O; none where it touched nothing before, or
-/// its first touch has not come to its end.
+/// The leash of a tick in which the finger has gone to state.goal_O; none where it touched nothing before.
 /// @param push  from the finger to the proxy, before it went
 ProxyLeash leash_after(const Vec3& push, const ProxyWorld& world, const ProxyState& state) noexcept;
 
 /// The largest change in a tick of a push that was so long before it: the finger's motion and the proxy's
-/// [m].
+/// [m]. Infinite while a first touch has not come to its end.
 double most_step_m(const ProxyState& state, double last_m) noexcept;
 
 /// Whether the hops of this tick change the push by more than hops may. A first touch may be anything.

@@ -6,7 +6,8 @@ namespace fingerpad {
 
 /// The numbers that only the speed of a proxy depends on. Those that decide where steps go past views, whose
 /// first walls may lead them to an end by other walls, are more: `eager` and `crowded_share`, through these
-/// what makes views rich or short, and `closest_packets`.
+/// what makes views rich or short, and what chooses these walls: `closest_packets`, `most_walked` and the two
+/// cosines.
 struct ProxyMemoryLimits {
   /// Triangles in view that are kept at hand; a vertex with a larger fan asks for more, but for no more than
   /// the second ...
@@ -62,10 +63,12 @@ struct ProxyMemoryLimits {
   static constexpr double eager = 2;
   /// Packets that are looked at for a triangle that is about the closest: a hint, which need not be it.
   static constexpr int closest_packets = 40;
-  /// Triangles that are gone over from the one that held the proxy last to the one under it now.
+  /// Triangles that are gone over from the one that held the proxy last to the one under it now, and from the
+  /// one that a way meets to the one under the finger.
   static constexpr int most_walked = 64;
-  /// Where that does not lead under the finger, facets that look about the same way (60 degrees) count as on
-  /// the same side of a part, and a surface that has turned by so much (5 degrees) as one that turns on.
+  /// Where that does not lead under the finger: facets that look about the same way (60 degrees, less than a
+  /// box's sides differ by) count as on the same side of a part, and a surface that has turned by so much (5
+  /// degrees, more than flat faces do by rounding) as one that turns on.
   static constexpr double same_side_cosine = 0.5, turning_cosine = 0.996;
   /// Farther than this from a part, in its sizes, the distance to its box is near enough to the truth.
   static constexpr double far_from_box = 4;

@@ -40,6 +40,7 @@ void ProxyViews::forget() noexcept {
 void ProxyViews::let_go() noexcept {
   asked_m_ = view_.next_reach_m();
   falls_short_ = goes_past_views_ = false;
+  likely_.let_go();
 }
 
 ProxyStep ProxyViews::step(const ProxyState& s, const StepTerms& terms) noexcept {
@@ -60,9 +61,7 @@ ProxyStep ProxyViews::step(const ProxyState& s, const StepTerms& terms) noexcept
   if (view_.overflows()) at_.reach_m = (goal_O - place_O).norm() * (1 + Limits::rounding);
   making_.begin(*this, goal_O, std::min(at_.reach_m, terms.most_m * (1 + Limits::rounding)), terms.bent_m);
   const ProxyStep step = making_.go_on(*this);
-  note_blockers(step);
   falls_short_ = step.end == StepEnd::truncated && at_.reach_m <= terms.most_m;
-  if (falls_short_ && bends_in_the_air(step)) return step_past_views(s, terms);
   // A view that was cut to less than `hopeless_share` does not count: the richest view comes next, which
   // shows more.
   const bool is_hopeless = view_.is_cut() && at_.reach_m < Limits::hopeless_share * world_.clearance_m();
@@ -70,6 +69,8 @@ ProxyStep ProxyViews::step(const ProxyState& s, const StepTerms& terms) noexcept
     short_step_m_ = step.z.norm();
     short_step_looks_ = looks_.spent() - before;
   }
+  if (falls_short_ && !s.contact.touching() && bends_in_the_air(step)) return step_past_views(s, terms);
+  note_blockers(step);
   return step;
 }
 

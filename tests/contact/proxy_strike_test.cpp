@@ -8,6 +8,7 @@
 
 #include "base/random_stream.hpp"
 #include "contact/proxies.hpp"
+#include "contact/proxy_leash.hpp"
 #include "support/shapes.hpp"
 
 // Fingers that come out of the air deep into a part within a tick, again and again: the ball ends on the face
@@ -143,6 +144,66 @@ TEST(ProxyStrike, WhereATicksLooksRunOutItComesToItsEndInTheNext) {
     EXPECT_LE(strikes.elsewhere, strikes.ended / 100) << looks;
     EXPECT_EQ(strikes.never, 0) << looks;
   }
+}
+
+/// A blow on a sphere of fine facets, whose smooth normals are shown by a rule of their own: what is shown
+/// after the ticks that it may take [m].
+Vec3 push_on_sphere(Normals normals, long looks, int ticks) {
+  const PlacedSurface sphere = surface_of(test::sphere_soup(0.5, 5));
+  Proxy proxy = fast_proxy({sphere}, 0.1, normals, Looks(looks));
+  const Vec3 outside(0.9, 0.5, 0.4), finger(0.2, 0.15, 0.1);
+  for (int k = 0; k < 50; ++k) proxy.move(outside, dt_s);
+  for (int k = 0; k < ticks; ++k) proxy.move(finger, dt_s);
+  const ProxyContact& contact = proxy.state().contact;
+  return contact.touching() ? Vec3(contact.depth_m * contact.normal_W) : Vec3::Zero();
+}
+
+TEST(ProxyStrike, ShowsItsEndAtOnceWithSmoothNormalsToo) {
+  for (const Normals normals : {Normals::facet, Normals::smooth}) {
+    const Vec3 rests = push_on_sphere(normals, Looks::unlimited, 21);
+    EXPECT_GT(rests.norm(), 0.2);
+    for (const long looks : {2000L, 4000L, 13500L})
+      EXPECT_LT((push_on_sphere(normals, looks, 21) - rests).norm(), 0.02 * rests.norm())
+          << (normals == Normals::facet ? "facet, " : "smooth, ") << looks;
+  }
+}
+
+// To the very same place: what the first strike was likely to meet is not what the second does.
+TEST(ProxyStrike, FromAnotherSideEndsOnThatSide) {
+  Proxy proxy = usual_proxy({surface_of(fine_cube())}, 0, Normals::facet);
+  const Vec3 finger(0.4, 0, 0.4), beside(2, 0, 0.4), above(0.41, 0.003, 2);
+  for (int round = 0; round < 3; ++round) {
+    for (const Vec3& from : {beside, above}) {
+      for (int k = 0; k < 3; ++k) proxy.move(from, dt_s);
+      for (int k = 0; k < 3; ++k) proxy.move(finger, dt_s);
+      const Vec3 normal = from == beside ? Vec3::UnitX() : Vec3::UnitZ();
+      EXPECT_GT(proxy.state().contact.direction_W.dot(normal), 1 - 1e-9) << round;
+      // Out slowly, the way it came.
+      for (int k = 0; k <= 50; ++k) proxy.move(finger + 0.02 * k * (from - finger), dt_s);
+    }
+    for (const Vec3& p : way_round(above, beside)) proxy.move(p, dt_s);
+  }
+}
+
+TEST(ProxyStrike, IsOnALeashAgainOnceItsTimeIsOver) {
+  Proxy proxy = fast_proxy({surface_of(fine_cube())}, 0.07, Normals::facet, Looks(300));
+  RandomStream random(5);
+  int arriving = 0, still_behind = 0;
+  for (int k = 0; k < 60; ++k) {
+    proxy.reset();
+    const Vec3 side(random.uniform(), random.uniform(), 1), finger = 0.4 * (side - Vec3(0.5, 0.5, 0.5));
+    for (int tick = 0; tick < 60; ++tick) proxy.move(1.5 * side, dt_s);
+    int tick = 0;
+    for (proxy.move(finger, dt_s); tick < 30 && proxy.state().contact.broken_off; ++tick) {
+      const bool is_free_to_go = std::isinf(most_step_m(proxy.state(), 1));
+      EXPECT_EQ(is_free_to_go, tick < 20 || !proxy.state().contact.touching()) << tick;
+      arriving += is_free_to_go ? 1 : 0;
+      proxy.move(finger, dt_s);
+    }
+    still_behind += tick > 20 ? 1 : 0;
+  }
+  EXPECT_GT(arriving, 60);
+  EXPECT_GT(still_behind, 10);
 }
 
 }  // namespace

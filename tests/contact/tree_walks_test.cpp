@@ -120,7 +120,7 @@ TEST(TreeWalks, FindAboutWhatAWayMeetsFirst) {
   RandomStream random(17);
   for (const TriangleTree& tree : trees()) {
     const Part& part = tree.part();
-    int met = 0;
+    int met = 0, cut_short = 0;
     for (int k = 0; k < 2000; ++k) {
       const Vec3 from = any(random, 1), to = any(random, k % 2 == 0 ? 1 : 0.2);
       const SegmentCrossing segment(from, to);
@@ -128,17 +128,23 @@ TEST(TreeWalks, FindAboutWhatAWayMeetsFirst) {
       for (int t = 0; t < part.triangle_count(); ++t) first = std::min(first, crossing_of(part, t, segment));
       Looks looks(Looks::unlimited);
       const TriangleMet found = tree.about_first_met(from, to - from, looks);
-      // By rounding a neighbour may be told, but never one farther on.
+      // By rounding a neighbour may be told that the way passes by, within about as much.
       constexpr double rounding = 1e-4;
       ASSERT_EQ(found.triangle >= 0, first < unbounded) << k;
       if (found.triangle < 0) continue;
       ++met;
       ASSERT_NEAR(found.along, first, rounding) << k;
+      const Vec3 at = from + found.along * (to - from);
+      ASSERT_LT(std::sqrt(closest_on_triangle(part, found.triangle, at).distance2_m2), rounding) << k;
       Looks few(30);
       tree.about_first_met(from, to - from, few);
       EXPECT_LE(few.spent(), 30 + 300) << "a packet too many at most, and the clusters on the way to it";
+      cut_short += few.spent() < looks.spent() ? 1 : 0;
     }
     EXPECT_GT(met, 300);
+    if (part.triangle_count() > 100) {
+      EXPECT_GT(cut_short, met / 2);
+    }
   }
 }
 
@@ -150,6 +156,11 @@ TEST(TreeWalks, FindNothingOnAWayFromNowhere) {
     EXPECT_LT(tree.about_first_met(Vec3(0, 0, 5), Vec3(0, 0, unbounded), looks).triangle, 0);
     EXPECT_LT(tree.about_first_met(Vec3(0, 0, 1e30), Vec3(0, 0, 1), looks).triangle, 0);
     EXPECT_LT(tree.about_first_met(Vec3(0, 0, 5), Vec3::Zero(), looks).triangle, 0);
+    const TriangleCorners f = corners_of(tree.part(), 0);
+    EXPECT_LT(tree.about_first_met(f.a, 0.1 * (f.b - f.a), looks).triangle, tree.part().triangle_count())
+        << "in its own plane: whatever is told";
+    EXPECT_EQ(tree.about_first_met((f.a + f.b + f.c) / 3 + 1e-3 * f.normal, -2e-3 * f.normal, looks).triangle,
+              0);
   }
 }
 
