@@ -88,14 +88,14 @@ MotionCheck look_at_motion(const Scene& scene, const LoadedMotion& motion, const
   const bool may_touch =
       approach.gap_m < approach.between_m || approach.gap_m <= 0 || crosses_a_part(world, path);
   check.nearest_m = may_touch ? 0 : approach.gap_m - approach.between_m;
-  if (scene.hand) return check;  // where it goes its goal does not tell
+  if (scene.hand && !may_touch) return check;  // where it goes its goal does not tell
   if (!may_touch) {
     check.hint = never_touches(world, path, approach, radius_m, !scene.motion.placement.is_world());
     return check;
   }
   // How deep it is in a part depends on how it came there.
   if (world.surfaces[approach.surface].is_plane()) check.hint = pressed_too_deep(scene, -approach.gap_m);
-  if (check.hint.empty()) check.hint = far_words(check, world);
+  if (check.hint.empty() && !scene.hand) check.hint = far_words(check, world);
   return check;
 }
 

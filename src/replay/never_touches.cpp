@@ -17,7 +17,8 @@ constexpr double mm_per_m = 1e3;
 
 /// "10 x 20 x 30 mm".
 std::string size_text(const Vec3& size_m) {
-  const Vec3 size_mm = mm_per_m * size_m;
+  // To a nanometre: what a motion at one height spans is nothing.
+  const Vec3 size_mm = (1e9 * size_m).array().round() / 1e6;
   return fmt::format("{} x {} x {} mm", rounded_text(size_mm.x(), 4), rounded_text(size_mm.y(), 4),
                      rounded_text(size_mm.z(), 4));
 }
@@ -84,7 +85,7 @@ std::string never_touches(const World& world, const FingerPath& path, const Near
 }
 
 std::string pressed_too_deep(const Scene& scene, double depth_m) {
-  constexpr double deepest_m = 0.1, mm_per_m = 1e3;
+  constexpr double deepest_m = 0.1;
   if (scene.motion.file.empty() || !(depth_m > deepest_m)) return "";
   return fmt::format("the finger is pressed {} mm deep, which no finger is: check [motion] unit{}",
                      rounded_text(mm_per_m * depth_m, 4), scene.parts.empty() ? "" : " and [[part]] unit");

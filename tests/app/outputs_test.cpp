@@ -365,7 +365,8 @@ TEST(Check, LooksAtAllRecordingsOfASet) {
   const std::string two = "\"touches.csv\", \"misses.csv\"";
   const ShellResult told = check(two, "");
   EXPECT_EQ(told.exit_code, 0) << told.err;
-  EXPECT_THAT(told.err, HasSubstr("looked at the first of its 4 jobs, and at all recordings"));
+  EXPECT_THAT(told.err, HasSubstr("looked at the parts of the first of its 4 jobs\n"));
+  EXPECT_THAT(told.out, testing::EndsWith("s.toml: 2 motions looked at, 1 with a warning, 0 refused\n"));
   EXPECT_THAT(told.err, HasSubstr("s.toml: misses.csv: the motion never touches: it comes nearest at t = "));
   EXPECT_THAT(told.out,
               testing::ContainsRegex("touches.csv can be followed(.|\n)*misses.csv can be followed"));
@@ -375,9 +376,18 @@ TEST(Check, LooksAtAllRecordingsOfASet) {
   ASSERT_EQ(report[0]["motions"].size(), 2u) << "each once";
   EXPECT_EQ(report[0]["motions"][0]["warnings"].size(), 0u);
   EXPECT_EQ(report[0]["motions"][1]["warnings"].size(), 1u);
-  const ShellResult lacking = check("\"touches.csv\", \"nowhere.csv\"", "");
+  const std::string bad = "\"touches.csv\", \"nowhere.csv\", \"misses.csv\"";
+  const ShellResult lacking = check(bad, "");
   EXPECT_EQ(lacking.exit_code, 3);
-  EXPECT_THAT(lacking.err, HasSubstr("nowhere.csv"));
+  EXPECT_THAT(lacking.err, HasSubstr("nowhere.csv, which cannot be read"));
+  EXPECT_THAT(lacking.out, HasSubstr("s.toml: 2 motions looked at, 1 with a warning, 1 refused\n"))
+      << "what is wrong with one keeps none from being told";
+  EXPECT_THAT(nlohmann::json::parse(check(bad, " --json").out)[0]["motions"][1]["error"].get<std::string>(),
+              HasSubstr("nowhere.csv"));
+  // The same file taken otherwise is another motion; a job of a wrong number is told.
+  const ShellResult units = check("\"touches.csv\"]\nmotion.unit = [\"m\", \"mm\"", "");
+  EXPECT_THAT(units.out, HasSubstr("s.toml: 2 motions looked at"));
+  EXPECT_THAT(check("\"touches.csv\"]\ncontact.force_tolerance = [0.03, -1", "").err, HasSubstr("job 3: "));
 }
 
 TEST(Refusals, OfASubcommandNameTheNearest) {

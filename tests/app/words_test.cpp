@@ -123,7 +123,7 @@ TEST(Words, OfACheckedSceneWithoutAMeshSayWhatItHas) {
   const auto report = nlohmann::json::parse(run("check floor.toml --json", folder).out);
   ASSERT_EQ(report.size(), 1u);
   EXPECT_EQ(report[0], nlohmann::json::parse(R"({"file": "floor.toml", "touchable": true, "error": "",
-                                                 "overlaps": [], "motions": []})"));
+                                                 "overlaps": [], "motions": [], "warnings": []})"));
 }
 
 TEST(Words, OfACheckedSceneThatIsRefusedLetTheOthersBeTold) {
