@@ -114,21 +114,23 @@ std::string motion_words(const std::string& path, const SceneJob& job) {
   return file.empty() || motion_keys(job).empty() ? path : path + ": " + printable(file);
 }
 
+/// What is wrong with one of a set's jobs does not keep the others from being told.
+void refuse_job(const SceneJob& job, const std::string& error, std::span<Json> objects, MotionSums& sums) {
+  ++sums.refused;
+  print_err("fingerpad: error: {}\n", error);
+  for (Json& object : objects)
+    object["motions"].push_back({{"name", job.scene.motion.file}, {"error", error}});
+}
+
 /// Of a set's further jobs: those that are refused by what the scene says, and each motion once, as if what
-/// its first job has were there to touch. What is wrong with one does not keep the others from being told.
-void look_at_further_jobs(const SceneFile& file, const std::string& path, const World& world,
-                          std::span<Json> objects, bool as_json, MotionSums& sums) {
-  const auto refuse = [&](const std::string& name, const std::string& error) {
-    ++sums.refused;
-    print_err("fingerpad: error: {}\n", error);
-    for (Json& object : objects) object["motions"].push_back({{"name", name}, {"error", error}});
-  };
-  std::set<std::string> seen = {motion_keys(file.jobs.front())}, errors;
+/// `first` has were there to touch.
+void look_at_further_jobs(const SceneFile& file, const SceneJob& first, const std::string& path,
+                          const World& world, std::span<Json> objects, bool as_json, MotionSums& sums) {
+  std::set<std::string> seen = {motion_keys(first)}, errors;
   for (const SceneJob& job : file.jobs) {
-    const std::string& name = job.scene.motion.file;
     if (!job.error.empty()) {
       if (errors.insert(job.error).second)
-        refuse(name, fmt::format("{}: job {}: {}", path, job.number, job.error));
+        refuse_job(job, fmt::format("{}: job {}: {}", path, job.number, job.error), objects, sums);
       continue;
     }
     if (!seen.insert(motion_keys(job)).second) continue;
@@ -137,7 +139,7 @@ void look_at_further_jobs(const SceneFile& file, const std::string& path, const 
       tell_motion(job.scene, path, motion_words(path, job), load_motion(job.scene), world, objects, as_json,
                   sums);
     } catch (const Error& error) {
-      refuse(name, error.what());
+      refuse_job(job, error.what(), objects, sums);
     }
   }
 }
@@ -175,10 +177,13 @@ std::optional<World> look_at_parts(const Scene& scene, bool as_json, Json& repor
 
 bool check_scene(const std::string& path, bool as_json, Json& report) {
   const SceneFile file = read_scene_file(path);
-  if (!file.jobs.front().error.empty()) throw Error(ErrorKind::refused, "", file.jobs.front().error);
+  const auto is_good = [](const SceneJob& job) { return job.error.empty(); };
+  const auto good = std::find_if(file.jobs.begin(), file.jobs.end(), is_good);
+  if (good == file.jobs.end()) throw Error(ErrorKind::refused, "", file.jobs.front().error);
+  const SceneJob& first = *good;
   if (file.jobs.size() > 1)
     print_err("fingerpad: {}: looked at the parts of the first of its {} jobs\n", path, file.jobs.size());
-  const Scene& scene = file.jobs.front().scene;
+  const Scene& scene = first.scene;
   const std::optional<World> world = look_at_parts(scene, as_json, report);
   if (!world) return false;
   // The parts' objects, or one for a scene of planes, which is told if it is not refused.
@@ -190,9 +195,13 @@ bool check_scene(const std::string& path, bool as_json, Json& report) {
   for (Json& object : objects) object["overlaps"] = object["motions"] = Json::array();
   tell_overlaps(scene, path, *world, objects);
   MotionSums sums;
-  look_at_finger_and_motion(scene, path, motion_words(path, file.jobs.front()), *world, objects, as_json,
-                            sums);
-  look_at_further_jobs(file, path, *world, objects, as_json, sums);
+  try {
+    look_at_finger_and_motion(scene, path, motion_words(path, first), *world, objects, as_json, sums);
+  } catch (const Error& error) {
+    if (file.jobs.size() == 1) throw;
+    refuse_job(first, error.what(), objects, sums);
+  }
+  look_at_further_jobs(file, first, path, *world, objects, as_json, sums);
   if (sums.looked_at + sums.refused > 1 && !as_json)
     print_out("{}: {} looked at, {} with a warning, {} refused\n", path,
               count_words(static_cast<std::size_t>(sums.looked_at), "motion"), sums.odd, sums.refused);

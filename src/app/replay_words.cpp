@@ -221,14 +221,30 @@ void tell_choices(const std::vector<BatchJob>& jobs) {
     print_err("fingerpad: and {} more such lines; each trace keeps its own\n", told.left_out());
 }
 
+/// Each once, with the jobs of a set that it is of.
 void tell_warnings_of_jobs(const std::vector<BatchJob>& jobs) {
-  DistinctLines told("fingerpad: warning: ");
-  for (const BatchJob& job : jobs) told.add(job.warnings);
-  if (told.left_out() > 0)
+  std::vector<std::string_view> lines;  // in the order in which they came up
+  std::map<std::string_view, std::vector<const BatchJob*>> of;
+  for (const BatchJob& job : jobs) {
+    for (const std::string& line : job.warnings) {
+      std::vector<const BatchJob*>& warned = of[line];
+      if (warned.empty()) lines.push_back(line);
+      if (warned.empty() || warned.back() != &job) warned.push_back(&job);
+    }
+  }
+  std::vector<std::string> told;
+  for (const std::string_view line : lines) {
+    const std::vector<const BatchJob*>& warned = of[line];
+    const bool is_of_set = warned[0]->job.number > 0 && jobs.size() > 1;
+    told.push_back(fmt::format("{}{}", line, is_of_set ? "; in " + jobs_words(warned, jobs) : ""));
+  }
+  DistinctLines distinct("fingerpad: warning: ");
+  distinct.add(told);
+  if (distinct.left_out() > 0)
     print_err(
         "fingerpad: warning: and {} more such lines; summary.csv has every job's figures (contact_ticks, "
         "max_depth_m and so on)\n",
-        told.left_out());
+        distinct.left_out());
 }
 
 void tell_made_again(const std::vector<BatchJob>& jobs, const BatchOptions& batch, bool quiet) {

@@ -380,8 +380,9 @@ TEST(Check, LooksAtAllRecordingsOfASet) {
   const ShellResult lacking = check(bad, "");
   EXPECT_EQ(lacking.exit_code, 3);
   EXPECT_THAT(lacking.err, HasSubstr("nowhere.csv, which cannot be read"));
-  EXPECT_THAT(lacking.out, HasSubstr("s.toml: 2 motions looked at, 1 with a warning, 1 refused\n"))
-      << "what is wrong with one keeps none from being told";
+  const std::string sums = "s.toml: 2 motions looked at, 1 with a warning, 1 refused\n";
+  EXPECT_THAT(lacking.out, HasSubstr(sums)) << "what is wrong with one keeps none from being told";
+  EXPECT_THAT(check("\"nowhere.csv\", \"touches.csv\", \"misses.csv\"", "").out, HasSubstr(sums));
   EXPECT_THAT(nlohmann::json::parse(check(bad, " --json").out)[0]["motions"][1]["error"].get<std::string>(),
               HasSubstr("nowhere.csv"));
   // The same file taken otherwise is another motion; a job of a wrong number is told.
