@@ -12,8 +12,9 @@ namespace fingerpad {
 /// with a search made for it. Its walls are those that the search would find, but for three cases: a view may
 /// end a step short of the finger, and the proxy then goes on from there; and a crowded view leaves out
 /// triangles that a ball in front of its blocker cannot get at (BallShadow), which would only have led a step
-/// to its end by other walls; and a step past all views begins with walls that it will likely end at
-/// (LikelyWalls). ProxyMemory derives from it, and sees to the ways over edges.
+/// to its end by other walls; and a step past all views, for a way that they would take too long for or one
+/// that a view has turned off in the air, begins with walls that it will likely end at (LikelyWalls).
+/// ProxyMemory derives from it, and sees to the ways over edges.
 class ProxyViews : public LimitedSight {
  public:
   ProxyStep step(const ProxyState& state, const StepTerms& terms) noexcept override;
