@@ -6,6 +6,7 @@ namespace fingerpad {
 /// nanoseconds, with room for memory that is slower than a part in a cache.
 struct LookCosts {
   static constexpr long packet = 6;           ///< eight triangles are fetched, and looked at all at once
+  static constexpr long packet_cold = 8;      ///< the same of a part that no core's own cache holds
   static constexpr long sieved = 2;           ///< ... and a way is held against them
   static constexpr long cluster = 2;          ///< four clusters are held against a ball
   static constexpr long beside = 4;           ///< the same, then against a way: each of both
@@ -15,14 +16,13 @@ struct LookCosts {
   static constexpr long shadowed = 3;         ///< a triangle within reach is held against a shadow
   static constexpr long listed = 1;           ///< one that is found
   static constexpr long fetched = 5;          ///< its corners are fetched
-  static constexpr long fetched_cleared = 4;  ///< the same for one that is held against its own plane
+  static constexpr long fetched_cleared = 2;  ///< the same for one that is held against its own plane
   static constexpr long told = 5;             ///< how a place stands before it is told anew
   static constexpr long sweep = 2;            ///< the way is swept past it ...
   static constexpr long sweep_step = 10;      ///< ... with so many of Newton's steps
   static constexpr long of_few = 4;           ///< a pass goes over it in a small view, whatever becomes of it
   static constexpr long too_many = 200;       ///< a search for a few ends where there are more
   static constexpr long closest = 30;         ///< what is left of a packet's triangles is told exactly
-  static constexpr long closest_cold = 50;    ///< the same of a part that no core's own cache holds
   static constexpr long dipole = 2;           ///< a cluster of triangles is seen as one
   static constexpr long angle = 5;            ///< the angle under which a triangle is seen
   static constexpr long projection = 32;      ///< onto four walls

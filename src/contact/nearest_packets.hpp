@@ -18,10 +18,11 @@ class WindingNumber::NearestPackets {
  public:
   /// @param at  scaled
   NearestPackets(const WindingNumber& clusters, const Vec3& at) noexcept : clusters_(&clusters), at_(at) {
-    look_into(clusters.top(), 0, false);
+    look_into(clusters.top(), 0, false, nowhere);
   }
 
   /// The next packet whose box comes within the radius (scaled, up to rounding); false when there is none.
+  /// @param radius  no larger than it was before
   bool next(std::size_t& packet, double radius) noexcept {
     for (int gone_into = 0; count_ > 0; ++gone_into) {
       Open nearest = open_[0];
@@ -30,7 +31,8 @@ class WindingNumber::NearestPackets {
       --count_;
       while (nearest.level > 0) {
         const bool straight_on = gone_into >= most_gone_into;
-        const Open child = look_into(nearest.level - 1, branching * std::size_t{nearest.index}, straight_on);
+        const Open child =
+            look_into(nearest.level - 1, branching * std::size_t{nearest.index}, straight_on, radius);
         if (!straight_on) break;
         nearest = child;
       }
@@ -49,6 +51,7 @@ class WindingNumber::NearestPackets {
     double beyond2;
     std::uint32_t level, index;
   };
+  static constexpr double nowhere = std::numeric_limits<double>::infinity();
   /// More are open only where thousands are about as near; those that do not fit are left out.
   static constexpr std::ptrdiff_t most_open = 1024;
   /// Clusters that are gone into one after the other, the nearest first, before the way goes straight down.
@@ -59,8 +62,9 @@ class WindingNumber::NearestPackets {
     return a.level != b.level ? a.level > b.level : a.index > b.index;
   }
 
+  /// Keeps those of four clusters that come within the radius.
   /// @param takes_nearest  the nearest of the four is returned, and not kept among those that are open
-  Open look_into(std::size_t level, std::size_t first, bool takes_nearest) noexcept {
+  Open look_into(std::size_t level, std::size_t first, bool takes_nearest, double radius) noexcept {
     ++tests_;
     const Four& four = clusters_->four(level, first);
     std::array<Open, branching> seen;
@@ -81,7 +85,8 @@ class WindingNumber::NearestPackets {
     }
     for (; kept < branching; ++kept) {
       // Where the last of a level has fewer than four, those that are not are infinitely far away.
-      if (!(seen[kept].beyond2 < std::numeric_limits<double>::infinity()) || count_ == most_open) continue;
+      const bool is_near = seen[kept].beyond2 <= radius * radius && seen[kept].beyond2 < nowhere;
+      if (!is_near || count_ == most_open) continue;
       open_[static_cast<std::size_t>(count_++)] = seen[kept];
       std::push_heap(open_.begin(), open_.begin() + count_, is_farther);
     }

@@ -50,10 +50,11 @@ FINGERPAD_INLINED void load(FourDiscs& four, const PacketDisc* discs, const std:
 
 FINGERPAD_INLINED void take_roots(Doubles& v) noexcept {
 #if defined(__SSE2__)
+  // By shuffles, see float_lanes::take_roots.
   using Two [[gnu::vector_size(16)]] = double;
-  Two* half = reinterpret_cast<Two*>(&v);
-  half[0] = __builtin_ia32_sqrtpd(half[0]);
-  half[1] = __builtin_ia32_sqrtpd(half[1]);
+  const Two low = __builtin_ia32_sqrtpd(__builtin_shufflevector(v, v, 0, 1)),
+            high = __builtin_ia32_sqrtpd(__builtin_shufflevector(v, v, 2, 3));
+  v = __builtin_shufflevector(low, high, 0, 1, 2, 3);
 #else
   for (std::size_t i = 0; i < four_wide; ++i) v[i] = std::sqrt(v[i]);
 #endif

@@ -12,6 +12,13 @@
 namespace fingerpad {
 namespace {
 
+/// Four clusters that are gone into, each, for what is about the closest: of all that are about as near, as
+/// from the middle of a ball, any will do.
+constexpr long most_opened = 256;
+/// Packets that are looked at for what a way meets first. One that comes by more goes along a fine surface
+/// rather than through it, or through long slivers, and is told to meet nothing.
+constexpr int most_on_way = 256;
+
 /// Where a way goes through a packet's triangles first, by their rough frames in floats.
 struct AboutMet {
   static constexpr float none = std::numeric_limits<float>::infinity();
@@ -61,16 +68,15 @@ ClosestTriangle TriangleTree::about_closest(const Vec3& q, int seed, double reac
   const PackedPart& packed = impl.packed;
   if (!impl.is_searched(q, reach_m)) return {};
   ClosestSearch search(packed, impl.filter, q, reach_m);
-  const long price = impl.is_cold() ? LookCosts::closest_cold : LookCosts::closest;
   if (seed >= 0) {
     search.look_at_seed(seed);
-    looks.spend(price);
+    looks.spend(LookCosts::closest);
   }
   const TrianglePacket* const seen = search.looked_at;
   WindingNumber::NearestPackets nearest(impl.winding, search.scaled);
   std::size_t index = 0;
   long paid = 0;
-  for (int k = 0; k < most_packets && !looks.are_spent();) {
+  for (int k = 0; k < most_packets && nearest.tests() < most_opened && !looks.are_spent();) {
     const double radius = std::sqrt(search.winner.at.distance2_m2) * packed.scale;
     const bool is_found = nearest.next(index, radius);
     looks.spend(LookCosts::opened * (nearest.tests() - std::exchange(paid, nearest.tests())));
@@ -79,7 +85,7 @@ ClosestTriangle TriangleTree::about_closest(const Vec3& q, int seed, double reac
     looks.spend(LookCosts::passed_over);
     if (&packet == seen || search.passes_over(packed.discs[index])) continue;
     search.look_at(packet);
-    looks.spend(price);
+    looks.spend(LookCosts::closest);
     ++k;
   }
   return search.answer();
@@ -95,12 +101,14 @@ TriangleMet TriangleTree::about_first_met(const Vec3& q, const Vec3& way, Looks&
                                   WindingNumber::NearPackets::About::way);
   TriangleMet first;
   std::size_t index = 0;
-  for (long paid = 0; !looks.are_spent();) {
+  long paid = 0;
+  for (int k = 0; !looks.are_spent(); ++k) {
+    if (k == most_on_way) return {};
     const bool is_found = near.next(index);
     looks.spend(LookCosts::beside * (near.tests() - std::exchange(paid, near.tests())));
     if (!is_found) break;
     const TrianglePacket& packet = packed.packets[index];
-    looks.spend(LookCosts::packet);
+    looks.spend(impl.packet_price());
     const AboutMet met =
         about_met(packet, (start - packet.origin).cast<float>(), (packed.scale * way).cast<float>());
     if (met.lane < 0 || !(met.along < first.along)) continue;

@@ -41,6 +41,7 @@ struct TriangleTree::Impl {
 
   /// Whether what a query reads comes from memory, mostly.
   bool is_cold() const noexcept { return packed.packets.size() > cached_packets; }
+  long packet_price() const noexcept { return is_cold() ? LookCosts::packet_cold : LookCosts::packet; }
   /// Whether a point is surely farther away than reach_m, or this is no number; `farthest_m` is the point's
   /// largest coordinate. Leaves room for rounding.
   bool out_of_reach(double farthest_m, double reach_m) const noexcept {

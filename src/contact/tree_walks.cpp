@@ -126,6 +126,7 @@ bool TriangleTree::each_within(const Vec3& q, double reach_m, const KeptPoint* k
   WindingNumber::NearPackets near(impl.winding, search.scaled, radius);
   std::size_t index = 0;
   const long tests = limit.tests;
+  limit.packet_price = impl.packet_price();
   while (!limit.is_exceeded() && near.next(index)) {
     if (packed.discs[index].least_distance(search.scaled) > grown) {
       ++limit.passed_over;
@@ -160,6 +161,7 @@ bool TriangleTree::each_beside(const Vec3& q, const Vec3& way, double reach_m, s
   const Vec3 half = 0.5 * packed.scale * way, half_box = half.cwiseAbs();
   using Near = WindingNumber::NearPackets;
   Near near(impl.winding, search.scaled, radius, half, Near::About::way, next);
+  const long packet_price = impl.packet_price();
   for (long paid = 0; !looks.are_spent();) {
     std::size_t index = packed.packets.size();
     const bool is_found = near.next(index);
@@ -171,7 +173,7 @@ bool TriangleTree::each_beside(const Vec3& q, const Vec3& way, double reach_m, s
       continue;
     }
     const TrianglePacket& packet = packed.packets[index];
-    looks.spend(LookCosts::packet);
+    looks.spend(packet_price);
     if (is_far) {
       search.look_from_afar_at(packet);
     } else if (!is_box_near(packet, search.scaled, radius, half_box)) {
@@ -227,7 +229,7 @@ std::optional<ClosestTriangle> TriangleTree::closest(const Vec3& q, double reach
     const TrianglePacket& packet = packed.packets[index];
     if (&packet == seen || !is_box_near(packet, search.scaled, radius)) continue;
     search.look_at(packet);
-    looks.spend(impl.is_cold() ? LookCosts::closest_cold : LookCosts::closest);
+    looks.spend(LookCosts::closest);
   }
   if (search.won_in != nullptr) walk.triangle = search.winner.triangle;
   return std::nullopt;

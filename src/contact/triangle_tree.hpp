@@ -68,13 +68,14 @@ struct WindingWalk {
 struct SearchLimit {
   int most_triangles, most_packets;
   long most_looks = Looks::unlimited;
-  int triangles = 0, packets = 0;  ///< found
-  long passed_over = 0;            ///< packets, by the discs around them
-  long tests = 0, shadowed = 0;    ///< of clusters of packets; of triangles against a shadow
-  double at_least_m = 0;           ///< while a triangle is visited: its distance is no smaller
+  int triangles = 0, packets = 0;         ///< found
+  long passed_over = 0;                   ///< packets, by the discs around them
+  long tests = 0, shadowed = 0;           ///< of clusters of packets; of triangles against a shadow
+  long packet_price = LookCosts::packet;  ///< the tree's, see there
+  double at_least_m = 0;                  ///< while a triangle is visited: its distance is no smaller
 
   long looks() const noexcept {
-    return LookCosts::cluster * tests + LookCosts::passed_over * passed_over + LookCosts::packet * packets +
+    return LookCosts::cluster * tests + LookCosts::passed_over * passed_over + packet_price * packets +
            LookCosts::shadowed * shadowed;
   }
   bool is_exceeded() const noexcept {
@@ -136,15 +137,16 @@ class TriangleTree {
   ClosestTriangle closest(const Vec3& q, BriefSearch& search, double reach_m) const noexcept;
 
   /// The closest triangle to q of so many packets, the likeliest first, and of no more than `looks` allow: it
-  /// is the part's closest, or about as close. None where q is far from the part. The same on every machine.
+  /// is the part's closest, or about as close. None where q is far from the part. Of thousands of packets
+  /// that are about as near it goes into a few hundred. The same on every machine.
   /// @param seed  a triangle that is likely close, or -1: the closer, the fewer packets are looked at
   /// noexcept, allocates nothing.
   ClosestTriangle about_closest(const Vec3& q, int seed, double reach_m, int most_packets,
                                 Looks& looks) const noexcept;
 
   /// The triangle that a way from q to q + way goes through first, from either side; about so, and none where
-  /// it goes through slivers alone or q is far from the part. Where `looks` are spent, of what it looked at.
-  /// The same on every machine. noexcept, allocates nothing.
+  /// it goes through slivers alone, comes by very many triangles or q is far from the part. Where `looks` are
+  /// spent, of what it looked at. The same on every machine. noexcept, allocates nothing.
   TriangleMet about_first_met(const Vec3& q, const Vec3& way, Looks& looks) const noexcept;
 
   /// Calls `visit(context, triangle)` once for every triangle whose distance to q is at most `reach_m`, as

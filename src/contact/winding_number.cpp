@@ -23,20 +23,40 @@ constexpr std::size_t few_packets = 4096 / packet_width;
 /// What the dipoles' error may make of a winding number, with room to spare.
 constexpr double unclear = 0.1;
 
-/// Half the solid angle of a triangle (Van Oosterom & Strackee 1983).
-double half_angle(const Part& part, int t, const Vec3& q) noexcept {
-  const Vec3 a = part.vertices.col(part.triangles(0, t)) - q, b = part.vertices.col(part.triangles(1, t)) - q,
-             c = part.vertices.col(part.triangles(2, t)) - q;
+/// Adds up angles between -pi and pi, each given as a complex number of that argument: their product's
+/// argument, and how often it went round, are told at the end by a single arc tangent.
+class Turns {
+ public:
+  void add(double x, double y) noexcept {
+    if (x == 0 && y == 0) return;
+    const double turned_x = x_ * x - y_ * y, turned_y = x_ * y + y_ * x;
+    if (y_ >= 0 && y >= 0 && turned_y < 0) ++rounds_;
+    if (y_ < 0 && y < 0 && turned_y >= 0) --rounds_;
+    x_ = turned_x;
+    y_ = turned_y;
+  }
+  double sum() const noexcept { return 2 * std::numbers::pi * rounds_ + std::atan2(y_, x_); }
+
+ private:
+  double x_ = 1, y_ = 0;
+  int rounds_ = 0;
+};
+
+/// Adds half the solid angle of a triangle (Van Oosterom & Strackee 1983).
+/// @param scale  makes the part's size about 1, so that of eight triangles the lengths' product fits a double
+void add_half_angle(const Part& part, int t, const Vec3& q, double scale, Turns& turns) noexcept {
+  const auto seen = [&](int k) { return Vec3(scale * (part.vertices.col(part.triangles(k, t)) - q)); };
+  const Vec3 a = seen(0), b = seen(1), c = seen(2);
   const double la = a.norm(), lb = b.norm(), lc = c.norm();
-  return std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+  turns.add(la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb, a.dot(b.cross(c)));
 }
 
 double half_angles_of(const PackedPart& packed, std::size_t index, const Vec3& q) noexcept {
   const TrianglePacket& packet = packed.packets[index];
-  double sum = 0;
+  Turns turns;
   for (std::size_t lane = 0; lane < packet_width && (packet.used >> lane & 1) != 0; ++lane)
-    sum += half_angle(*packed.part, packet.exact[lane].triangle, q);
-  return sum;
+    add_half_angle(*packed.part, packet.exact[lane].triangle, q, packed.scale, turns);
+  return turns.sum();
 }
 
 }  // namespace

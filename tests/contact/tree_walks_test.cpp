@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <utility>
 
 #include "base/random_stream.hpp"
 #include "contact/closest_memory.hpp"
@@ -276,8 +278,47 @@ TEST(TreeWalks, FromTheMiddleOfAFineBallTheNearestPacketsCostNoMoreThanTheLooks)
     const Vec3 q = k == 0 ? Vec3::Zero() : any(random, 1e-3);
     EXPECT_GE(tree.about_closest(q, -1, unbounded, 8, looks).triangle, 0);
     // The last packet, and the way down to it.
-    EXPECT_LE(looks.spent(), 200 + LookCosts::closest_cold + LookCosts::passed_over + LookCosts::opened * 30);
+    EXPECT_LE(looks.spent(), 200 + LookCosts::closest + LookCosts::passed_over + LookCosts::opened * 30);
   }
+}
+
+TEST(TreeWalks, FromTheMiddleOfAFineBallAHintIsHadForFewLooks) {
+  const TriangleTree tree(std::make_shared<const Part>(make_part(test::sphere_soup(0.02, 6), 0.5)));
+  RandomStream random(19);
+  for (int k = 0; k < 50; ++k) {
+    Looks looks(Looks::unlimited);
+    constexpr int most_packets = 40;
+    EXPECT_GE(tree.about_closest(any(random, 1e-4), -1, unbounded, most_packets, looks).triangle, 0);
+    EXPECT_LE(looks.spent(),
+              300 * (LookCosts::opened + LookCosts::passed_over) + (most_packets + 1) * LookCosts::closest);
+  }
+}
+
+/// From (0, 0, 0) to a circle of 1 m.
+TriangleSoup fan_soup(int slivers) {
+  TriangleSoup soup;
+  soup.vertices_P.resize(3, slivers + 1);
+  soup.triangles.resize(3, slivers);
+  soup.vertices_P.col(slivers).setZero();
+  for (int k = 0; k < slivers; ++k) {
+    const double angle = 2 * std::numbers::pi * k / slivers;
+    soup.vertices_P.col(k) = Vec3(std::cos(angle), std::sin(angle), 0);
+    soup.triangles.col(k) << k, (k + 1) % slivers, slivers;
+  }
+  return soup;
+}
+
+TEST(TreeWalks, WhatAWayMeetsFirstIsTakenFromNoMoreThanAFewHundredPackets) {
+  const TriangleTree tree(std::make_shared<const Part>(make_part(fan_soup(1 << 14), 0.5)));
+  const auto met = [&tree](double from_middle) {
+    Looks looks(Looks::unlimited);
+    const TriangleMet found = tree.about_first_met(Vec3(from_middle, 0, 0.1), Vec3(0, 0, -0.2), looks);
+    return std::pair(found.triangle, looks.spent());
+  };
+  EXPECT_GE(met(0.99).first, 0);
+  // The spheres around packets of slivers reach far beside them.
+  EXPECT_LT(met(0.3).first, 0);
+  EXPECT_LT(met(0.3).second, 257 * LookCosts::packet + 1000 * LookCosts::beside);
 }
 
 TEST(TreeWalks, ALimitIsExceededWhereMoreIsWithinReach) {
