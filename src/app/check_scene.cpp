@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <optional>
@@ -99,11 +100,19 @@ void look_at_finger_and_motion(const Scene& scene, const std::string& path, cons
     print_err("fingerpad: warning: {}\n", hint);
 }
 
+/// "./m/a.csv" and "m/a.csv" are one.
+std::string plain_path(const std::string& path) {
+  return std::filesystem::path(path).lexically_normal().string();
+}
+
 /// What a set says of a job's motion, by which its motions differ.
 std::string motion_keys(const SceneJob& job) {
   std::string keys;
   for (const auto& [key, value] : job.set_keys) {
-    if (key == "motion" || key.starts_with("motion.")) keys += fmt::format("{} = {}\n", key, value);
+    if (key == "motion" || key == "motion.file")
+      keys += plain_path(job.scene.motion.file) + "\n";
+    else if (key.starts_with("motion."))
+      keys += fmt::format("{} = {}\n", key, value);
   }
   return keys;
 }
@@ -144,17 +153,27 @@ void look_at_further_jobs(const SceneFile& file, const SceneJob& first, const st
   }
 }
 
+CheckedMesh checked(const PartEntry& entry) {
+  ImportOptions how;
+  how.metres_per_unit = entry.metres_per_unit;
+  how.crease_rad = entry.crease_deg * std::numbers::pi / 180;
+  how.repair = entry.repair;
+  return checked(entry.mesh_path, how);
+}
+
+/// Which mesh a part is, and how it is taken.
+std::string mesh_keys(const PartEntry& entry) {
+  return fmt::format("{}\n{} {} {}", plain_path(entry.mesh_path), entry.metres_per_unit, entry.crease_deg,
+                     entry.repair);
+}
+
 /// The parts of a scene, of a set those of its first job, each as the scene takes it and where it places it.
 /// @returns nothing where one cannot be touched
 std::optional<World> look_at_parts(const Scene& scene, bool as_json, Json& report) {
   bool all_touchable = true;
   World world;
   for (const PartEntry& entry : scene.parts) {
-    ImportOptions how;
-    how.metres_per_unit = entry.metres_per_unit;
-    how.crease_rad = entry.crease_deg * std::numbers::pi / 180;
-    how.repair = entry.repair;
-    const CheckedMesh mesh = checked(entry.mesh_path, how);
+    const CheckedMesh mesh = checked(entry);
     all_touchable &= tell_mesh(mesh, as_json, report);
     world.verdicts.push_back(mesh.imported.verdict);
     Surface& surface = world.surfaces.emplace_back();
@@ -173,6 +192,27 @@ std::optional<World> look_at_parts(const Scene& scene, bool as_json, Json& repor
   return world;
 }
 
+/// What a set's jobs touch beside what the first does: each mesh once.
+/// @returns whether all can be touched
+bool look_at_further_meshes(const SceneFile& file, const SceneJob& first, const std::string& path,
+                            bool as_json, Json& report) {
+  std::set<std::string> seen;
+  for (const PartEntry& entry : first.scene.parts) seen.insert(mesh_keys(entry));
+  const std::size_t before = seen.size();
+  int refused = 0;
+  for (const SceneJob& job : file.jobs) {
+    for (const PartEntry& entry : job.scene.parts) {
+      if (!job.error.empty() || !seen.insert(mesh_keys(entry)).second) continue;
+      refused += tell_mesh(checked(entry), as_json, report) ? 0 : 1;
+      if (as_json) report.back()["overlaps"] = report.back()["motions"] = Json::array();
+    }
+  }
+  if (seen.size() > before && !as_json)
+    print_out("{}: {} looked at that further jobs touch, {} refused\n", path,
+              count_words(seen.size() - before, "mesh file"), refused);
+  return refused == 0;
+}
+
 }  // namespace
 
 bool check_scene(const std::string& path, bool as_json, Json& report) {
@@ -182,10 +222,19 @@ bool check_scene(const std::string& path, bool as_json, Json& report) {
   if (good == file.jobs.end()) throw Error(ErrorKind::refused, "", file.jobs.front().error);
   const SceneJob& first = *good;
   if (file.jobs.size() > 1)
-    print_err("fingerpad: {}: looked at the parts of the first of its {} jobs\n", path, file.jobs.size());
+    print_err(
+        "fingerpad: {}: a set of {} jobs: each mesh and each motion is looked at once, the motions with the "
+        "parts of the first\n",
+        path, file.jobs.size());
   const Scene& scene = first.scene;
   const std::optional<World> world = look_at_parts(scene, as_json, report);
-  if (!world) return false;
+  Json further = Json::array();  // behind the first job's
+  const bool all_touchable = look_at_further_meshes(file, first, path, as_json, further);
+  const auto tell_further = [&] { report.insert(report.end(), further.begin(), further.end()); };
+  if (!world) {
+    tell_further();
+    return false;
+  }
   // The parts' objects, or one for a scene of planes, which is told if it is not refused.
   Json planes = {{"file", path}, {"touchable", true}, {"error", ""}, {"warnings", Json::array()}};
   std::span<Json> objects;
@@ -210,7 +259,8 @@ bool check_scene(const std::string& path, bool as_json, Json& report) {
     planes["error"] = fmt::format("{} of its jobs' motions and numbers refused", sums.refused);
   }
   if (as_json && scene.parts.empty()) report.push_back(planes);
-  return sums.refused == 0;
+  tell_further();
+  return all_touchable && sums.refused == 0;
 }
 
 }  // namespace fingerpad

@@ -365,7 +365,7 @@ TEST(Check, LooksAtAllRecordingsOfASet) {
   const std::string two = "\"touches.csv\", \"misses.csv\"";
   const ShellResult told = check(two, "");
   EXPECT_EQ(told.exit_code, 0) << told.err;
-  EXPECT_THAT(told.err, HasSubstr("looked at the parts of the first of its 4 jobs\n"));
+  EXPECT_THAT(told.err, HasSubstr("s.toml: a set of 4 jobs: each mesh and each motion is looked at once"));
   EXPECT_THAT(told.out, testing::EndsWith("s.toml: 2 motions looked at, 1 with a warning, 0 refused\n"));
   EXPECT_THAT(told.err, HasSubstr("s.toml: misses.csv: the motion never touches: it comes nearest at t = "));
   EXPECT_THAT(told.out,
@@ -385,10 +385,45 @@ TEST(Check, LooksAtAllRecordingsOfASet) {
   EXPECT_THAT(check("\"nowhere.csv\", \"touches.csv\", \"misses.csv\"", "").out, HasSubstr(sums));
   EXPECT_THAT(nlohmann::json::parse(check(bad, " --json").out)[0]["motions"][1]["error"].get<std::string>(),
               HasSubstr("nowhere.csv"));
+  EXPECT_THAT(check("\"touches.csv\", \"./touches.csv\", \"misses.csv\"", "").out,
+              HasSubstr("2 motions looked"));
   // The same file taken otherwise is another motion; a job of a wrong number is told.
   const ShellResult units = check("\"touches.csv\"]\nmotion.unit = [\"m\", \"mm\"", "");
   EXPECT_THAT(units.out, HasSubstr("s.toml: 2 motions looked at"));
   EXPECT_THAT(check("\"touches.csv\"]\ncontact.force_tolerance = [0.03, -1", "").err, HasSubstr("job 3: "));
+}
+
+TEST(Check, LooksAtAllMeshesOfASet) {
+  const fs::path folder = folder_with_inputs();
+  fs::copy_file(folder / "box.stl", folder / "other.stl");
+  std::ofstream(folder / "bad.stl") << "solid nothing\nendsolid nothing\n";
+  std::ofstream(folder / "touches.csv") << "t_s,x_m,y_m,z_m\n0,0,0,0.1\n0.1,0,0,0\n";
+  const auto check = [&folder](const std::string& meshes, const std::string& how) {
+    std::ofstream(folder / "s.toml") << "[[part]]\nmesh = \"box.stl\"\n[motion]\nfile = \"touches.csv\"\n"
+                                        "[[set]]\nmesh = [" +
+                                            meshes + "]\n";
+    return test::fingerpad("check s.toml" + how, folder);
+  };
+  const std::string good = "\"box.stl\", \"./box.stl\", \"other.stl\"";
+  const ShellResult told = check(good, "");
+  EXPECT_EQ(told.exit_code, 0) << told.err;
+  EXPECT_THAT(told.out, HasSubstr("other.stl: can be touched"));
+  EXPECT_THAT(told.out, HasSubstr("s.toml: 1 mesh file looked at that further jobs touch, 0 refused\n"));
+  for (const char* meshes :
+       {"\"box.stl\", \"bad.stl\", \"other.stl\"", "\"bad.stl\", \"box.stl\", \"other.stl\""}) {
+    const ShellResult lacking = check(meshes, "");
+    EXPECT_EQ(lacking.exit_code, 3) << meshes;
+    EXPECT_THAT(lacking.out, HasSubstr("bad.stl: refused"));
+    EXPECT_THAT(lacking.out, HasSubstr("other.stl: can be touched")) << "whatever is wrong with another";
+    EXPECT_THAT(lacking.err, HasSubstr("error: bad.stl")) << lacking.err;
+    const auto report = nlohmann::json::parse(check(meshes, " --json").out);
+    ASSERT_EQ(report.size(), 3u) << "an object for each mesh";
+    EXPECT_EQ(report[2]["file"], "other.stl");
+    EXPECT_EQ(report[0]["touchable"] != report[1]["touchable"], true);
+  }
+  const ShellResult missing = check("\"box.stl\", \"nowhere.stl\"", "");
+  EXPECT_EQ(missing.exit_code, 3);
+  EXPECT_THAT(missing.err, HasSubstr("nowhere.stl"));
 }
 
 TEST(Refusals, OfASubcommandNameTheNearest) {
