@@ -54,32 +54,47 @@ bool PopThroughs::way_enters_a_part(const Vec3& to_W) noexcept {
   return false;
 }
 
-bool PopThroughs::is_guide_held_back(const Vec3& to_W) noexcept {
+/// The guide at the way's end. Nothing where there is no memory for it (rather a graze too many than a
+/// crossing too few), or where it is held from the beginning: a finger that was inside all along is not
+/// outside after all.
+const ProxyContact* PopThroughs::guided(const Vec3& to_W) noexcept {
   try {
     if (!guide_) guide_ = fast_proxy(placed_surfaces(*world_), 0, Normals::facet, Looks(Looks::unlimited));
   } catch (const std::bad_alloc&) {
-    return true;  // rather a graze too many than a crossing too few
+    return nullptr;
   }
   guide_->reset();
   const Vec3 from_W = last_.p_WQ;
-  // A finger that was inside all along is not outside after all.
-  if (guide_->move(from_W, guide_step_s).touching()) return true;
+  if (guide_->move(from_W, guide_step_s).touching()) return nullptr;
   for (int k = 1; k < guide_steps; ++k)
     guide_->move(from_W + (to_W - from_W) * (static_cast<double>(k) / guide_steps), guide_step_s);
   for (int k = 0; k < guide_steps; ++k) {
     const ProxyContact& end = guide_->move(to_W, guide_step_s);
-    if (!end.touching() || end.settled) return end.touching();
+    if (!end.touching() || end.settled) return &end;
   }
-  return true;
+  return &guide_->state().contact;
+}
+
+bool PopThroughs::is_held_back(const Vec3& to_W) noexcept {
+  const ProxyContact* end = guided(to_W);
+  return end == nullptr || end->touching();
+}
+
+/// Whether a surface itself lets the finger come to where it is pushed on, as a ball that slides round a
+/// corner.
+bool PopThroughs::is_led_round(const Seen& now) noexcept {
+  if (!world_) return false;
+  const ProxyContact* end = guided(now.p_WQ);
+  return end != nullptr && (!end->touching() || end->normal_W.dot(now.normal_W) > push_along_motion);
 }
 
 bool PopThroughs::popped(const Seen& now) noexcept {
   const Vec3 motion_W = now.p_WQ - last_.p_WQ;
   const double moved_m = motion_W.norm();
   const bool was_free = last_.phase == Phase::free, is_free = now.phase == Phase::free;
-  if (was_free && is_free) return moved_m > 0 && way_enters_a_part(now.p_WQ) && is_guide_held_back(now.p_WQ);
+  if (was_free && is_free) return moved_m > 0 && way_enters_a_part(now.p_WQ) && is_held_back(now.p_WQ);
   if (is_free) return most_depth_per_motion * moved_m < last_.depth_m;
-  if (was_free) return now.normal_W.dot(motion_W) > push_along_motion * moved_m;
+  if (was_free) return now.normal_W.dot(motion_W) > push_along_motion * moved_m && !is_led_round(now);
   if (now.normal_W.dot(last_.normal_W) > turned_round) return false;
   // Out of what is convex no push changes by more than the finger moves.
   const double rounded_m = rounding * (now.p_WQ.norm() + last_.p_WQ.norm());

@@ -13,7 +13,8 @@ namespace fingerpad {
 /// Counts the ticks on which a surface stops holding the finger on the side that it came from. From the last
 /// tick to this one
 ///   - the finger's way crosses a wall, but there is contact at neither end: nothing was felt at all; or
-///   - a first touch pushes it on in the direction of its motion (within 60 degrees); or
+///   - a first touch pushes it on in the direction of its motion (within 60 degrees), from where it would not
+///     have come by itself; or
 ///   - in unbroken contact the normal turns by more than 120 degrees although the finger cannot have left one
 ///     surface for another: it moved by less than what pushes it out (depth times normal) changed by, which
 ///     no place outside of what is convex does, such as a narrow groove of two planes; or one wall of a part
@@ -23,9 +24,10 @@ namespace fingerpad {
 ///
 /// What crosses a wall and what only grazes a convex corner, whose faces are one side, is told by a guide: a
 /// point proxy, with facets as they are, that is taken along the straight way from outside in small steps. If
-/// it is still held back at the way's end, the finger has got to where a surface would not have let it. So a
-/// plate counts however thin it is and however near to its rim, unless the way leads out over the rim; and a
-/// blade clipped near its edge counts where the finger stops so close behind it that it would still be held.
+/// it is still held back at the way's end, or pushed elsewhere than the finger, this has got to where a
+/// surface would not have let it. So a plate counts however thin it is and however near to its rim, unless
+/// the way leads out over the rim; and a blade clipped near its edge counts where the finger stops so close
+/// behind it that it would still be held.
 class PopThroughs {
  public:
   /// Without a world, ways are not held against parts.
@@ -55,7 +57,9 @@ class PopThroughs {
 
   bool is_open(std::size_t surface) noexcept;
   bool way_enters_a_part(const Vec3& to_W) noexcept;
-  bool is_guide_held_back(const Vec3& to_W) noexcept;
+  const ProxyContact* guided(const Vec3& to_W) noexcept;
+  bool is_held_back(const Vec3& to_W) noexcept;
+  bool is_led_round(const Seen& now) noexcept;
   bool popped(const Seen& now) noexcept;
   bool is_by_one_wall(const TickRecord& record) const noexcept;
 

@@ -89,6 +89,33 @@ TEST(PopThroughs, CountPlatesOfAnyThicknessCrossedAnywhere) {
   }
 }
 
+/// A ball is free at first, and at the end touches what its centre's way came through, pushed on by it.
+bool counts_ball(const std::shared_ptr<const World>& world, const Vec3& from, const Vec3& to) {
+  PopThroughs pops(world);
+  TickRecord row;
+  row.p_WQ = from;
+  pops.observe(row);
+  row.p_WQ = to;
+  row.phase = Phase::stick;
+  row.normal_W = (to - from).normalized();
+  row.depth_m = 1e-3;
+  row.walls = 1;
+  row.surface = 0;
+  pops.observe(row);
+  return pops.count() > 0;
+}
+
+TEST(PopThroughs, DoNotCountABallThatIsLedRoundAnEdge) {
+  const auto world = test::world_of(bar(60 * degree));
+  const auto plate = test::world_of(test::box_soup(Vec3(0.04, 0.04, 0.001)));
+  for (const double depth_m : {1e-5, 1e-4, 1e-3}) {
+    const Vec3 middle(0, 1e-3, -depth_m), half(6 * depth_m + 1e-4, 0, 0);
+    EXPECT_FALSE(counts_ball(world, middle - half, middle + half)) << depth_m;
+    EXPECT_TRUE(counts_ball(plate, Vec3(0, 0, 2e-3), Vec3(depth_m, 0, -2e-3))) << depth_m;
+    EXPECT_TRUE(counts_ball(plate, Vec3(0, 0, 2e-3), Vec3(depth_m, 0, -2e-4))) << "inside";
+  }
+}
+
 TEST(PopThroughs, CountAPlateBehindAGrazedCornerOfAnotherPart) {
   auto world = std::make_shared<World>(*test::world_of(test::box_soup(Vec3(0.02, 0.02, 0.02))));
   world->surfaces.push_back(test::world_of(test::box_soup(Vec3(2e-4, 0.02, 0.02)))->surfaces[0]);
