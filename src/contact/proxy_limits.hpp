@@ -82,6 +82,9 @@ struct ProxyLimits {
   /// Gap between the ball and what holds it, as a share of the scene's extent, that can be seen and felt: of
   /// a part as large as a hand, a micrometre.
   static constexpr double far_wall = 1e-5;
+  /// The same as a share of the clearance, where that is less: a point's is so small that all which it comes
+  /// by would be near, such as the face beyond an edge, from whose plane's other side it comes.
+  static constexpr double far_wall_share = 1.0 / 32;
 
   /// Sine of the angle under which a wall's normal counts as that of the triangle it stands for: where they
   /// agree so well there is nothing to gain from another step.

@@ -50,8 +50,10 @@ const TriangleApproach& ProxyWorld::approach(int i, int triangle, const Vec3& pl
 }
 
 bool ProxyWorld::is_far_from(const ProxyWall& wall, const Vec3& place_O) const noexcept {
-  return wall.triangle >= 0 && approach(wall.surface, wall.triangle, place_O).distance_m >
-                                   clearance_m() + ProxyLimits::far_wall * extent_m_;
+  const double far_m =
+      std::min(ProxyLimits::far_wall * extent_m_, ProxyLimits::far_wall_share * clearance_m());
+  return wall.triangle >= 0 &&
+         approach(wall.surface, wall.triangle, place_O).distance_m > clearance_m() + far_m;
 }
 
 bool ProxyWorld::is_own_plane(const ProxyWall& wall) const noexcept {

@@ -196,5 +196,28 @@ TEST(ProxyStrike, IsOnALeashAgainOnceItsTimeIsOver) {
   EXPECT_GT(still_behind, 10);
 }
 
+// The way enters a block by its top and leaves it by a side, from whose plane's other side the point comes to
+// the edge between both.
+TEST(ProxyStrike, APointIsNotHeldAtAnEdgeThatItsWayLeadsOver) {
+  const PlacedSurface block = surface_of(test::box_soup(Vec3::Constant(2 * half_m)));
+  RandomStream random(23);
+  for (const ProxyKind& kind : proxy_kinds) {
+    for (int k = 0; k < 300; ++k) {
+      const auto any = [&random](double most) { return most * (2 * random.uniform() - 1); };
+      const Vec3 over(half_m - 0.2 * half_m * random.uniform(), any(0.5 * half_m), half_m);
+      const Vec3 out(half_m, any(0.5 * half_m), half_m * (1 - 0.2 * random.uniform()));
+      const Vec3 way = (out - over).normalized();
+      const Vec3 start = over - half_m * way, finger = out + 0.3 * half_m * random.uniform() * way;
+      Proxy proxy = kind.make({block}, 0, k % 2 == 0 ? Normals::facet : Normals::smooth);
+      proxy.move(start, dt_s);
+      ASSERT_TRUE(proxy.state().placed);
+      proxy.move(finger, dt_s);
+      const ProxyContact& contact = proxy.move(finger, dt_s);
+      EXPECT_FALSE(contact.touching())
+          << kind.name << " " << start.transpose() << " to " << finger.transpose() << ": " << contact.depth_m;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace fingerpad::proxy_strike_test
