@@ -21,8 +21,9 @@ class WindingNumber::NearestPackets {
     look_into(clusters.top(), 0, false, nowhere);
   }
 
-  /// The next packet whose box comes within the radius (scaled, up to rounding); false when there is none.
-  /// @param radius  no larger than it was before
+  /// The next packet, of those whose boxes come within the radius (scaled, up to rounding) or of one that is
+  /// farther where too many are about as near; false when there is none.
+  /// @param radius  no larger than at the last call: what was beyond it then is forgotten
   bool next(std::size_t& packet, double radius) noexcept {
     for (int gone_into = 0; count_ > 0; ++gone_into) {
       Open nearest = open_[0];
@@ -52,7 +53,7 @@ class WindingNumber::NearestPackets {
     std::uint32_t level, index;
   };
   static constexpr double nowhere = std::numeric_limits<double>::infinity();
-  /// More are open only where thousands are about as near; those that do not fit are left out.
+  /// Those that do not fit are left out: of thousands that are about as near, if one asks for so many.
   static constexpr std::ptrdiff_t most_open = 1024;
   /// Clusters that are gone into one after the other, the nearest first, before the way goes straight down.
   static constexpr int most_gone_into = 16;

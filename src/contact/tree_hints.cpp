@@ -16,7 +16,8 @@ namespace {
 /// from the middle of a ball, any will do.
 constexpr long most_opened = 256;
 /// Packets that are looked at for what a way meets first. One that comes by more goes along a fine surface
-/// rather than through it, or through long slivers, and is told to meet nothing.
+/// rather than through it, or through long slivers, and is told to meet nothing: packets come in the part's
+/// order, so that what was found so far need not be the first.
 constexpr int most_on_way = 256;
 
 /// Where a way goes through a packet's triangles first, by their rough frames in floats.
@@ -103,10 +104,10 @@ TriangleMet TriangleTree::about_first_met(const Vec3& q, const Vec3& way, Looks&
   std::size_t index = 0;
   long paid = 0;
   for (int k = 0; !looks.are_spent(); ++k) {
-    if (k == most_on_way) return {};
     const bool is_found = near.next(index);
     looks.spend(LookCosts::beside * (near.tests() - std::exchange(paid, near.tests())));
     if (!is_found) break;
+    if (k == most_on_way) return {};
     const TrianglePacket& packet = packed.packets[index];
     looks.spend(impl.packet_price());
     const AboutMet met =

@@ -94,6 +94,7 @@ bool TriangleTree::each_within(const Vec3& q, double reach_m, SearchLimit& limit
                                void (*visit)(void* context, int triangle), void* context) const noexcept {
   const Impl& impl = *impl_;
   const PackedPart& packed = impl.packed;
+  limit.packet_price = impl.packet_price();
   const double farthest = q.cwiseAbs().maxCoeff();
   if (packed.packets.empty() || !q.allFinite() || !(reach_m >= 0)) return true;
   if (impl.out_of_reach(farthest, reach_m)) return true;
@@ -116,6 +117,7 @@ bool TriangleTree::each_within(const Vec3& q, double reach_m, const KeptPoint* k
   if (packed.packets.empty() || !q.allFinite() || !(reach_m >= 0)) return true;
   if (impl.out_of_reach(farthest, reach_m)) return true;
   if (farthest > tree_range * packed.extent_m) return each_within(q, reach_m, limit, visit, context);
+  limit.packet_price = impl.packet_price();
   ShadowedSearch search{
       {{packed, impl.filter, q, reach_m, count_lit_triangle, nullptr}, &limit, visit, context}, std::nullopt};
   search.context = &search;
@@ -126,7 +128,6 @@ bool TriangleTree::each_within(const Vec3& q, double reach_m, const KeptPoint* k
   WindingNumber::NearPackets near(impl.winding, search.scaled, radius);
   std::size_t index = 0;
   const long tests = limit.tests;
-  limit.packet_price = impl.packet_price();
   while (!limit.is_exceeded() && near.next(index)) {
     if (packed.discs[index].least_distance(search.scaled) > grown) {
       ++limit.passed_over;

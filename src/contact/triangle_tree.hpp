@@ -71,7 +71,7 @@ struct SearchLimit {
   int triangles = 0, packets = 0;         ///< found
   long passed_over = 0;                   ///< packets, by the discs around them
   long tests = 0, shadowed = 0;           ///< of clusters of packets; of triangles against a shadow
-  long packet_price = LookCosts::packet;  ///< the tree's, see there
+  long packet_price = LookCosts::packet;  ///< set by the search: dearer in a large part
   double at_least_m = 0;                  ///< while a triangle is visited: its distance is no smaller
 
   long looks() const noexcept {

@@ -23,15 +23,17 @@ constexpr std::size_t few_packets = 4096 / packet_width;
 /// What the dipoles' error may make of a winding number, with room to spare.
 constexpr double unclear = 0.1;
 
-/// Adds up angles between -pi and pi, each given as a complex number of that argument: their product's
-/// argument, and how often it went round, are told at the end by a single arc tangent.
+/// Adds up angles between -pi and pi (both ends apart), each given as a complex number of that argument:
+/// their product's argument, and how often it went round, are told at the end by a single arc tangent.
+/// @pre the products fit a double; of one that is rounded to 0 no round is counted
 class Turns {
  public:
   void add(double x, double y) noexcept {
     if (x == 0 && y == 0) return;
     const double turned_x = x_ * x - y_ * y, turned_y = x_ * y + y_ * x;
     if (y_ >= 0 && y >= 0 && turned_y < 0) ++rounds_;
-    if (y_ < 0 && y < 0 && turned_y >= 0) --rounds_;
+    const bool is_beyond = turned_y > 0 || (turned_y == 0 && turned_x < 0);
+    if (y_ < 0 && y < 0 && is_beyond) --rounds_;
     x_ = turned_x;
     y_ = turned_y;
   }

@@ -318,7 +318,7 @@ TEST(TreeWalks, WhatAWayMeetsFirstIsTakenFromNoMoreThanAFewHundredPackets) {
   EXPECT_GE(met(0.99).first, 0);
   // The spheres around packets of slivers reach far beside them.
   EXPECT_LT(met(0.3).first, 0);
-  EXPECT_LT(met(0.3).second, 257 * LookCosts::packet + 1000 * LookCosts::beside);
+  EXPECT_LT(met(0.3).second, 257 * LookCosts::packet_cold + 1000 * LookCosts::beside);
 }
 
 TEST(TreeWalks, ALimitIsExceededWhereMoreIsWithinReach) {

@@ -22,8 +22,10 @@ Vec3 random_in_box(const Part& part, double times, RandomStream& random) {
 
 TEST(WindingNumber, IsTheSumOverAllTriangles) {
   const TriangleSoup torus = test::torus_soup(1, 0.4, 200, 80);
-  for (const TriangleSoup& soup : {torus, test::reversed(torus), test::joined(torus, torus),
-                                   test::sphere_soup(1, 6), test::box_soup(Vec3(1, 2, 3))}) {
+  const TriangleSoup box = test::box_soup(Vec3(1, 2, 3));  // one packet sees more than half of all around
+  for (const TriangleSoup& soup :
+       {torus, test::reversed(torus), test::joined(torus, torus), test::sphere_soup(1, 6), box,
+        test::reversed(box), test::sphere_soup(1, 0)}) {
     const auto part = std::make_shared<const Part>(make_part(soup, 0.5));
     const PackedPart packed = pack(part);
     const WindingNumber winding(packed);
