@@ -16,8 +16,8 @@ class Figures {
   Figures() = default;
   /// @param world  where the run takes place: then ways through parts that no contact shows count as
   /// pop-throughs too
-  explicit Figures(std::shared_ptr<const World> world) {
-    totals_.pop_throughs = PopThroughs(std::move(world));
+  Figures(std::shared_ptr<const World> world, double radius_m) {
+    totals_.pop_throughs = PopThroughs(std::move(world), radius_m);
   }
 
   void observe(const TickRecord& record) noexcept;

@@ -114,7 +114,7 @@ struct ReadyJob {
 class TickTry {
  public:
   TickTry(const ReadyJob& job, const BatchOptions& options, const ContactWrap& wrap)
-      : loop_(job.world, job.scene, job.path(), {}, wrap), figures_(job.world) {
+      : loop_(job.world, job.scene, job.path(), {}, wrap), figures_(job.world, job.scene.finger.radius_m) {
     if (options.traces) trace_.begin(options.format, job.info, *job.world, loop_.tick_count());
   }
   /// Ticks until it has lasted long enough, or there are no more.

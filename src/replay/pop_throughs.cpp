@@ -10,7 +10,7 @@ namespace fingerpad {
 namespace {
 
 /// Cosines of 60 and of 120 degrees.
-constexpr double push_along_motion = 0.5, turned_round = -0.5;
+constexpr double push_along_motion = 0.5, same_push = 0.5, turned_round = -0.5;
 constexpr double most_depth_per_motion = 3;
 /// The guide's steps along a way, each with all the time it needs to come to rest [s].
 constexpr int guide_steps = 64;
@@ -19,7 +19,8 @@ constexpr double rounding = 1e-12;  // of a position, as a fraction of the numbe
 
 }  // namespace
 
-PopThroughs::PopThroughs(std::shared_ptr<const World> world) : world_(std::move(world)) {
+PopThroughs::PopThroughs(std::shared_ptr<const World> world, double radius_m)
+    : world_(std::move(world)), radius_m_(radius_m) {
   if (world_) sides_.resize(world_->surfaces.size(), Sides::unknown);
 }
 
@@ -54,12 +55,13 @@ bool PopThroughs::way_enters_a_part(const Vec3& to_W) noexcept {
   return false;
 }
 
-/// The guide at the way's end. Nothing where there is no memory for it (rather a graze too many than a
-/// crossing too few), or where it is held from the beginning: a finger that was inside all along is not
-/// outside after all.
+/// The guide at the way's end, until it is moved again. Null where it tells nothing, and the worse is taken
+/// to be true: without memory for it, and where it is held from the beginning, as a finger that was inside
+/// all along.
 const ProxyContact* PopThroughs::guided(const Vec3& to_W) noexcept {
   try {
-    if (!guide_) guide_ = fast_proxy(placed_surfaces(*world_), 0, Normals::facet, Looks(Looks::unlimited));
+    if (!guide_)
+      guide_ = fast_proxy(placed_surfaces(*world_), radius_m_, Normals::facet, Looks(Looks::unlimited));
   } catch (const std::bad_alloc&) {
     return nullptr;
   }
@@ -85,7 +87,7 @@ bool PopThroughs::is_held_back(const Vec3& to_W) noexcept {
 bool PopThroughs::is_led_round(const Seen& now) noexcept {
   if (!world_) return false;
   const ProxyContact* end = guided(now.p_WQ);
-  return end != nullptr && (!end->touching() || end->normal_W.dot(now.normal_W) > push_along_motion);
+  return end != nullptr && (!end->touching() || end->normal_W.dot(now.normal_W) > same_push);
 }
 
 bool PopThroughs::popped(const Seen& now) noexcept {
@@ -93,7 +95,7 @@ bool PopThroughs::popped(const Seen& now) noexcept {
   const double moved_m = motion_W.norm();
   const bool was_free = last_.phase == Phase::free, is_free = now.phase == Phase::free;
   if (was_free && is_free) return moved_m > 0 && way_enters_a_part(now.p_WQ) && is_held_back(now.p_WQ);
-  if (is_free) return most_depth_per_motion * moved_m < last_.depth_m;
+  if (is_free) return !last_.is_catching_up && most_depth_per_motion * moved_m < last_.depth_m;
   if (was_free) return now.normal_W.dot(motion_W) > push_along_motion * moved_m && !is_led_round(now);
   if (now.normal_W.dot(last_.normal_W) > turned_round) return false;
   // Out of what is convex no push changes by more than the finger moves.
@@ -109,10 +111,12 @@ bool PopThroughs::is_by_one_wall(const TickRecord& record) const noexcept {
 }
 
 void PopThroughs::observe(const TickRecord& record) noexcept {
-  const Seen now{record.p_WQ,    record.contact_W, record.normal_W,
-                 record.depth_m, record.phase,     is_by_one_wall(record)};
+  const Seen now{record.p_WQ,           record.contact_W, record.normal_W,
+                 record.depth_m,        record.phase,     record.unsettled || was_unsettled_,
+                 is_by_one_wall(record)};
   if (any_ && popped(now)) ++count_;
   last_ = now;
+  was_unsettled_ = record.unsettled;
   any_ = true;
 }
 

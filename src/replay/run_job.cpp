@@ -48,7 +48,7 @@ std::optional<std::vector<double>> recounted(const std::string& path, const Trac
     return std::nullopt;
   if (!trace.rows.empty())
     trace.rows.front().started_inside = ClosedLoop(world, scene, motion).next().started_inside;
-  Figures figures(world);
+  Figures figures(world, scene.finger.radius_m);
   for (const TickRecord& row : trace.rows) figures.observe(row);
   return figures.values();
 }
@@ -74,7 +74,7 @@ struct RunEnd {
 /// Runs it and writes its trace.
 RunEnd run(const Scene& scene, const std::shared_ptr<const World>& world, const FingerPath& path,
            const TraceInfo& info, const JobOutput& output, ContactStore* contacts) {
-  Figures figures(world);
+  Figures figures(world, scene.finger.radius_m);
   const bool may_share = contacts != nullptr && info.changes.empty();
   ContactStore::Share share = may_share ? contacts->share(scene, *world, path) : ContactStore::Share();
   ClosedLoop loop(world, scene, path, info.changes, share.wrap());

@@ -146,7 +146,7 @@ JudgedReference judged_reference(const JudgedCase& judged) {
                              judged.scene.motion.rate_hz, Events::tick};
   for (const FingerPath& way : judged.ways) {
     Touch touch(judged.world, touched_by(judged.scene, complete));
-    PopThroughs pop_throughs(judged.world);
+    PopThroughs pop_throughs(judged.world, judged.scene.finger.radius_m);
     for (long k = 0; k < way.tick_count(); ++k) {
       const FingerSample sample = way.at(k);
       if (judged.exact_force_n) {

@@ -46,7 +46,7 @@ StretchRun run_stretch(const std::shared_ptr<const World>& world, const Scene& s
   run.broke.reserve(static_cast<std::size_t>(ticks));
   run.tick_ns.reserve(static_cast<std::size_t>(ticks));
   Touch touch(world, touched_by(scene, choice));
-  PopThroughs pop_throughs(world);
+  PopThroughs pop_throughs(world, scene.finger.radius_m);
   long led_pop_throughs = 0;
   const float reading_ns = clock_ns();
   for (long k = 0; k < lead_ticks + ticks; ++k) {

@@ -192,7 +192,7 @@ TickRecord free_at(double x) {
 }
 
 long pops_over(const std::shared_ptr<const World>& world, const std::vector<TickRecord>& rows) {
-  PopThroughs pops(world);
+  PopThroughs pops(world, 0);
   for (const TickRecord& row : rows) pops.observe(row);
   return pops.count();
 }

@@ -17,7 +17,7 @@ namespace {
 constexpr double degree = std::numbers::pi / 180;
 
 bool counts(const std::shared_ptr<const World>& world, const Vec3& from, const Vec3& to) {
-  PopThroughs pops(world);
+  PopThroughs pops(world, 0);
   for (const Vec3& at : {from, to}) {
     TickRecord row;
     row.p_WQ = at;
@@ -90,19 +90,24 @@ TEST(PopThroughs, CountPlatesOfAnyThicknessCrossedAnywhere) {
 }
 
 /// A ball is free at first, and at the end touches what its centre's way came through, pushed on by it.
-bool counts_ball(const std::shared_ptr<const World>& world, const Vec3& from, const Vec3& to) {
-  PopThroughs pops(world);
+bool counts_ball(const std::shared_ptr<const World>& world, const Vec3& from, const Vec3& to,
+                 const Vec3& normal, double radius_m = 0) {
+  PopThroughs pops(world, radius_m);
   TickRecord row;
   row.p_WQ = from;
   pops.observe(row);
   row.p_WQ = to;
   row.phase = Phase::stick;
-  row.normal_W = (to - from).normalized();
+  row.normal_W = normal;
   row.depth_m = 1e-3;
   row.walls = 1;
   row.surface = 0;
   pops.observe(row);
   return pops.count() > 0;
+}
+
+bool counts_ball(const std::shared_ptr<const World>& world, const Vec3& from, const Vec3& to) {
+  return counts_ball(world, from, to, (to - from).normalized());
 }
 
 TEST(PopThroughs, DoNotCountABallThatIsLedRoundAnEdge) {
@@ -113,7 +118,51 @@ TEST(PopThroughs, DoNotCountABallThatIsLedRoundAnEdge) {
     EXPECT_FALSE(counts_ball(world, middle - half, middle + half)) << depth_m;
     EXPECT_TRUE(counts_ball(plate, Vec3(0, 0, 2e-3), Vec3(depth_m, 0, -2e-3))) << depth_m;
     EXPECT_TRUE(counts_ball(plate, Vec3(0, 0, 2e-3), Vec3(depth_m, 0, -2e-4))) << "inside";
+    EXPECT_TRUE(counts_ball(plate, Vec3(0, 0, 2e-4), Vec3(depth_m, 0, -2e-3))) << "from inside";
+    EXPECT_TRUE(counts_ball(nullptr, Vec3(0, 0, 2e-3), Vec3(depth_m, 0, -2e-3))) << "nothing to ask";
   }
+}
+
+TEST(PopThroughs, CountABallThatGoesWhereAPointAloneGetsThrough) {
+  const TriangleSoup slab = test::box_soup(Vec3(0.02, 0.04, 0.001));
+  const auto world = test::world_of(
+      test::joined(test::moved(slab, Vec3(0.0101, 0, 0)), test::moved(slab, Vec3(-0.0101, 0, 0))));
+  const Vec3 from(0, 0, 0.008), to(0, 0, -0.004), down(0, 0, -1);
+  EXPECT_TRUE(counts_ball(world, from, to, down, 0.005));
+  EXPECT_FALSE(counts_ball(world, from, to, down, 0));
+}
+
+/// Deep in contact on two ticks, then free, at rest.
+long pops_of_lost_contact(bool first_unsettled, bool second_unsettled) {
+  PopThroughs pops(test::world_of(test::box_soup(Vec3(0.04, 0.04, 0.001))), 0.005);
+  TickRecord row;
+  row.p_WQ = Vec3(0, 0, 0.003);
+  row.normal_W = Vec3::UnitZ();
+  row.depth_m = 2e-3;
+  row.phase = Phase::slip;
+  for (const bool unsettled : {false, first_unsettled, second_unsettled}) {
+    row.unsettled = unsettled;
+    pops.observe(row);
+  }
+  row = {};
+  row.p_WQ = Vec3(0, 0, 0.003);
+  pops.observe(row);
+  return pops.count();
+}
+
+TEST(PopThroughs, CountContactThatIsLostAtRestButByAProxyThatCatchesUp) {
+  EXPECT_EQ(pops_of_lost_contact(false, false), 1);
+  EXPECT_EQ(pops_of_lost_contact(false, true), 0);
+  EXPECT_EQ(pops_of_lost_contact(true, false), 0);
+}
+
+// It ends in the bar, where a point that slides over the edge is held too, and on the same face.
+TEST(PopThroughs, DoNotCountABallThatIsPushedAsThePointThatIsLedRound) {
+  const double half_rad = 50 * degree, depth_m = 1e-3;
+  const auto world = test::world_of(bar(2 * half_rad));
+  const Vec3 from(-5 * depth_m, 1e-3, -depth_m), to(1.1 * depth_m, 1e-3, -depth_m);
+  EXPECT_FALSE(counts_ball(world, from, to, Vec3(std::cos(half_rad), 0, std::sin(half_rad))));
+  EXPECT_TRUE(counts_ball(world, from, to, Vec3(0.8, 0, -0.6))) << "out at the bottom";
 }
 
 TEST(PopThroughs, CountAPlateBehindAGrazedCornerOfAnotherPart) {

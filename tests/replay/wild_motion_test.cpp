@@ -93,7 +93,7 @@ TEST(WildMotion, ACoordinateOf1e35IsARowThatNamesItsLine) {
 
 TEST(PopThroughs, AreCountedAlongAnyWay) {
   const auto world = test::world_of(test::box_soup(Vec3(0.02, 0.02, 0.02)));
-  PopThroughs pops(world);
+  PopThroughs pops(world, 0);
   RandomStream random(3);
   const double kinds[] = {0,           0.005, 1,     1e9,   1e19,
                           1e35,        1e60,  1e200, 1e308, std::numeric_limits<double>::infinity(),
