@@ -8,6 +8,7 @@
 #include "app/standard_streams.hpp"
 #include "app/unit_option.hpp"
 #include "base/error.hpp"
+#include "base/printable_text.hpp"
 #include "part/mesh_format.hpp"
 
 namespace fingerpad {
@@ -32,6 +33,16 @@ bool is_scene(const std::string& path) {
   return path.ends_with(".toml");
 }
 
+/// What to do with what is no mesh, but likely a recording.
+void hint_at_scene(const std::string& path) {
+  const bool is_recording = path.ends_with(".csv") || path.ends_with(".txt") || path.ends_with(".h5");
+  if (is_recording)
+    print_err(
+        "fingerpad: {}: a recording is looked at with a scene that follows it: write `[motion] file = ...` "
+        "and check the scene\n",
+        printable(path));
+}
+
 int check(const CheckOptions& options) {
   bool all_touchable = true;
   Json report = Json::array();
@@ -47,7 +58,9 @@ int check(const CheckOptions& options) {
   std::optional<Error> refused;
   for (const std::string& path : options.meshes) {
     if (!is_scene(path)) {
-      all_touchable &= tell_mesh(checked(path, how), options.json, report);
+      const bool is_touchable = tell_mesh(checked(path, how), options.json, report);
+      if (!is_touchable) hint_at_scene(path);
+      all_touchable &= is_touchable;
       continue;
     }
     bool touchable = false;
@@ -81,7 +94,9 @@ void add_check(CLI::App& program, Action& action) {
       ->required();
   add_unit_option(*command, options->unit);
   command->add_flag("--json", options->json,
-                    "Print an array with an object for each mesh, and each scene without one (lengths in m)");
+                    "Print an array with an object for each mesh, and for each scene that has none or is "
+                    "refused beside them "
+                    "(lengths in m)");
   command->add_flag("--repair", options->repair,
                     "Say what `repair = true` in a scene's [[part]] would do: weld, drop degenerate and "
                     "duplicate faces, make the winding right");

@@ -366,7 +366,8 @@ TEST(Check, LooksAtAllRecordingsOfASet) {
   const ShellResult told = check(two, "");
   EXPECT_EQ(told.exit_code, 0) << told.err;
   EXPECT_THAT(told.err, HasSubstr("s.toml: a set of 4 jobs: each mesh and each motion is looked at once"));
-  EXPECT_THAT(told.out, testing::EndsWith("s.toml: 2 motions looked at, 1 with a warning, 0 refused\n"));
+  EXPECT_THAT(told.out, testing::EndsWith(
+                            "s.toml: 2 motions: 2 can be followed, 1 of these with a warning, 0 refused\n"));
   EXPECT_THAT(told.err, HasSubstr("s.toml: misses.csv: the motion never touches: it comes nearest at t = "));
   EXPECT_THAT(told.out,
               testing::ContainsRegex("touches.csv can be followed(.|\n)*misses.csv can be followed"));
@@ -380,17 +381,40 @@ TEST(Check, LooksAtAllRecordingsOfASet) {
   const ShellResult lacking = check(bad, "");
   EXPECT_EQ(lacking.exit_code, 3);
   EXPECT_THAT(lacking.err, HasSubstr("nowhere.csv, which cannot be read"));
-  const std::string sums = "s.toml: 2 motions looked at, 1 with a warning, 1 refused\n";
+  const std::string sums = "s.toml: 3 motions: 2 can be followed, 1 of these with a warning, 1 refused\n";
   EXPECT_THAT(lacking.out, HasSubstr(sums)) << "what is wrong with one keeps none from being told";
   EXPECT_THAT(check("\"nowhere.csv\", \"touches.csv\", \"misses.csv\"", "").out, HasSubstr(sums));
   EXPECT_THAT(nlohmann::json::parse(check(bad, " --json").out)[0]["motions"][1]["error"].get<std::string>(),
               HasSubstr("nowhere.csv"));
   EXPECT_THAT(check("\"touches.csv\", \"./touches.csv\", \"misses.csv\"", "").out,
-              HasSubstr("2 motions looked"));
+              HasSubstr("2 motions: 2 can be followed"));
   // The same file taken otherwise is another motion; a job of a wrong number is told.
   const ShellResult units = check("\"touches.csv\"]\nmotion.unit = [\"m\", \"mm\"", "");
-  EXPECT_THAT(units.out, HasSubstr("s.toml: 2 motions looked at"));
+  EXPECT_THAT(units.out, HasSubstr("s.toml: 2 motions: 2 can be followed"));
   EXPECT_THAT(check("\"touches.csv\"]\ncontact.force_tolerance = [0.03, -1", "").err, HasSubstr("job 3: "));
+}
+
+TEST(Check, TellsAFingerOfASetThatIsTooLarge) {
+  const fs::path folder = folder_with_inputs();
+  std::ofstream(folder / "touches.csv") << "t_s,x_m,y_m,z_m\n0,0,0,0.1\n0.1,0,0,0\n";
+  std::ofstream(folder / "s.toml") << "[[part]]\nmesh = \"box.stl\"\n[motion]\nfile = \"touches.csv\"\n"
+                                      "[[set]]\nfinger.radius_m = [0.001, 70]\n";
+  const ShellResult told = test::fingerpad("check s.toml", folder);
+  EXPECT_EQ(told.exit_code, 3);
+  EXPECT_THAT(told.err, HasSubstr("a finger of radius_m = 70"));
+  const auto report = nlohmann::json::parse(test::fingerpad("check s.toml --json", folder).out);
+  ASSERT_EQ(report.size(), 2u);
+  EXPECT_EQ(report[1]["refused"][0]["job"], 2);
+  EXPECT_EQ(report[0]["motions"].size(), 1u) << "what is wrong with the finger is no motion";
+}
+
+TEST(Check, TellsWhatLooksAtARecording) {
+  const fs::path folder = folder_with_inputs();
+  std::ofstream(folder / "m.csv") << "t_s,x_m,y_m,z_m\n0,0,0,0.1\n0.1,0,0,0\n";
+  const ShellResult told = test::fingerpad("check m.csv", folder);
+  EXPECT_EQ(told.exit_code, 3);
+  EXPECT_THAT(told.err, HasSubstr("m.csv: a recording is looked at with a scene that follows it"));
+  EXPECT_THAT(test::fingerpad("check nowhere.stl", folder).err, Not(HasSubstr("recording")));
 }
 
 TEST(Check, LooksAtAllMeshesOfASet) {
@@ -408,19 +432,38 @@ TEST(Check, LooksAtAllMeshesOfASet) {
   const ShellResult told = check(good, "");
   EXPECT_EQ(told.exit_code, 0) << told.err;
   EXPECT_THAT(told.out, HasSubstr("other.stl: can be touched"));
-  EXPECT_THAT(told.out, HasSubstr("s.toml: 1 mesh file looked at that further jobs touch, 0 refused\n"));
+  EXPECT_THAT(told.out, HasSubstr("s.toml: 2 meshes: 2 can be touched, 0 refused\n"));
   for (const char* meshes :
        {"\"box.stl\", \"bad.stl\", \"other.stl\"", "\"bad.stl\", \"box.stl\", \"other.stl\""}) {
-    const ShellResult lacking = check(meshes, "");
+    const ShellResult lacking =
+        check(std::string(meshes) + "]\nmotion = [\"touches.csv\", \"nowhere.csv\"", "");
     EXPECT_EQ(lacking.exit_code, 3) << meshes;
     EXPECT_THAT(lacking.out, HasSubstr("bad.stl: refused"));
     EXPECT_THAT(lacking.out, HasSubstr("other.stl: can be touched")) << "whatever is wrong with another";
+    EXPECT_THAT(lacking.out, HasSubstr("s.toml: 3 meshes: 2 can be touched, 1 refused\n"));
+    EXPECT_THAT(lacking.out,
+                HasSubstr("s.toml: 2 motions: 1 can be followed, 0 of these with a warning, 1 refused\n"));
     EXPECT_THAT(lacking.err, HasSubstr("error: bad.stl")) << lacking.err;
-    const auto report = nlohmann::json::parse(check(meshes, " --json").out);
-    ASSERT_EQ(report.size(), 3u) << "an object for each mesh";
+    const auto report = nlohmann::json::parse(
+        check(std::string(meshes) + "]\nmotion = [\"touches.csv\", \"nowhere.csv\"", " --json").out);
+    ASSERT_EQ(report.size(), 4u)
+        << "an object for each mesh, and the scene's that says what is wrong with it";
+    for (const auto& object : report)
+      EXPECT_TRUE(object["motions"].is_array() && object["overlaps"].is_array());
+    EXPECT_NE(report[0]["touchable"], report[1]["touchable"]);
     EXPECT_EQ(report[2]["file"], "other.stl");
-    EXPECT_EQ(report[0]["touchable"] != report[1]["touchable"], true);
+    EXPECT_EQ(report[report[0]["touchable"] ? 0 : 1]["motion"]["name"], "touches.csv");
+    EXPECT_EQ(report[3]["file"], "s.toml");
+    EXPECT_THAT(report[3]["error"].get<std::string>(), HasSubstr("nowhere.csv"));
+    EXPECT_EQ(report[3]["refused"].size(), 1u);
   }
+  // One file by two names, and two by names that look alike.
+  fs::create_directories(folder / "x" / "y");
+  fs::create_directory_symlink("x/y", folder / "link");
+  std::ofstream(folder / "x" / "box.stl") << "solid nothing\nendsolid nothing\n";
+  EXPECT_EQ(check("\"box.stl\", \"link/../box.stl\"", "").exit_code, 3);
+  EXPECT_THAT(check("\"box.stl\", \"" + (folder / "box.stl").string() + "\"", "").out,
+              Not(HasSubstr("meshes:")));
   const ShellResult missing = check("\"box.stl\", \"nowhere.stl\"", "");
   EXPECT_EQ(missing.exit_code, 3);
   EXPECT_THAT(missing.err, HasSubstr("nowhere.stl"));
