@@ -97,7 +97,7 @@ bool PopThroughs::popped(const Seen& now) noexcept {
   if (was_free && is_free) return moved_m > 0 && way_enters_a_part(now.p_WQ) && is_held_back(now.p_WQ);
   if (is_free) return !last_.is_catching_up && most_depth_per_motion * moved_m < last_.depth_m;
   if (was_free) return now.normal_W.dot(motion_W) > push_along_motion * moved_m && !is_led_round(now);
-  if (now.normal_W.dot(last_.normal_W) > turned_round) return false;
+  if (last_.is_catching_up || now.normal_W.dot(last_.normal_W) > turned_round) return false;
   // Out of what is convex no push changes by more than the finger moves.
   const double rounded_m = rounding * (now.p_WQ.norm() + last_.p_WQ.norm());
   if ((now.push_m() - last_.push_m()).norm() > moved_m + rounded_m) return true;

@@ -19,9 +19,8 @@ namespace fingerpad {
 ///     surface for another: it moved by less than what pushes it out (depth times normal) changed by, which
 ///     no place outside of what is convex does, such as a narrow groove of two planes; or one wall of a part
 ///     holds it at either end and its way stays inside that part; or
-///   - contact is lost although it moved by less than a third of its depth (a proxy lets go within a motion,
-///   or
-///     on its way to a place that the ticks before had not the time to find).
+///   - contact is lost although it moved by less than a third of its depth (a proxy lets go within a motion).
+/// The last two do not count of a proxy on its way to a place that the ticks before had not the time to find.
 /// The same for every contact method: all is seen from the finger's way, the parts and what was felt.
 ///
 /// What crosses a wall and what only grazes a convex corner, whose faces are one side, is told by a guide: a

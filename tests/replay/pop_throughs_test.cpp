@@ -132,8 +132,8 @@ TEST(PopThroughs, CountABallThatGoesWhereAPointAloneGetsThrough) {
   EXPECT_FALSE(counts_ball(world, from, to, down, 0));
 }
 
-/// Deep in contact on two ticks, then free, at rest.
-long pops_of_lost_contact(bool first_unsettled, bool second_unsettled) {
+/// Deep in contact on two ticks, then free or pushed to the other side, at rest.
+long pops_at_rest(Phase end, bool first_unsettled, bool second_unsettled) {
   PopThroughs pops(test::world_of(test::box_soup(Vec3(0.04, 0.04, 0.001))), 0.005);
   TickRecord row;
   row.p_WQ = Vec3(0, 0, 0.003);
@@ -144,16 +144,19 @@ long pops_of_lost_contact(bool first_unsettled, bool second_unsettled) {
     row.unsettled = unsettled;
     pops.observe(row);
   }
-  row = {};
-  row.p_WQ = Vec3(0, 0, 0.003);
+  row.unsettled = false;
+  row.phase = end;
+  row.normal_W = -Vec3::UnitZ();
   pops.observe(row);
   return pops.count();
 }
 
-TEST(PopThroughs, CountContactThatIsLostAtRestButByAProxyThatCatchesUp) {
-  EXPECT_EQ(pops_of_lost_contact(false, false), 1);
-  EXPECT_EQ(pops_of_lost_contact(false, true), 0);
-  EXPECT_EQ(pops_of_lost_contact(true, false), 0);
+TEST(PopThroughs, CountContactThatIsLostOrTurnsRoundAtRestButOfAProxyThatCatchesUp) {
+  for (const Phase end : {Phase::free, Phase::slip}) {
+    EXPECT_EQ(pops_at_rest(end, false, false), 1);
+    EXPECT_EQ(pops_at_rest(end, false, true), 0);
+    EXPECT_EQ(pops_at_rest(end, true, false), 0);
+  }
 }
 
 // It ends in the bar, where a point that slides over the edge is held too, and on the same face.
