@@ -235,7 +235,7 @@ std::optional<World> look_at_parts(const Scene& scene, bool as_json, Json& repor
       told[keys] = {tell_mesh(mesh, as_json, report), object};
     }
     all_touchable &= told[keys].touchable;
-    objects.push_back(known == before.end() ? report.size() - 1 : known->second.object);
+    objects.push_back(told[keys].object);
     world.verdicts.push_back(mesh.imported.verdict);
     Surface& surface = world.surfaces.emplace_back();
     surface.mesh = entry.mesh;
