@@ -63,7 +63,7 @@ void PointerFinger::feel(const TickRecord& tick) noexcept {
 
 FingerSample PointerFinger::advance(double dt_s) noexcept {
   const PointerAim last_aim = aim_;
-  aim_ = path_.advance(dt_s);
+  aim_ = tap_.lead(path_.advance(dt_s), touched_.normal_force_n, dt_s);
   pace_W_ += (1 - std::exp(-dt_s / pace_s)) * ((aim_.finger.p_WQ - last_aim.finger.p_WQ) / dt_s - pace_W_);
   rest_.note(last_aim, aim_, dt_s);
   wanted_n_ = aim_.finger.push_W_n.norm();

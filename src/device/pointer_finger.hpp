@@ -12,6 +12,7 @@
 #include "device/pointer_limits.hpp"
 #include "device/pointer_path.hpp"
 #include "device/pointer_rest.hpp"
+#include "device/pointer_tap.hpp"
 #include "device/tried_steps.hpp"
 
 namespace fingerpad {
@@ -70,6 +71,7 @@ class PointerFinger final : public LiveDevice {
   PointerPath path_;
   PointerAim last_put_;  // the window's threads'
   // The servo's thread's.
+  PointerTap tap_;
   PointerAim aim_;
   Vec3 pace_W_ = Vec3::Zero();  // of the pointer [m/s]
   PointerRest rest_;

@@ -33,11 +33,13 @@ const PointerAim* PointerPath::next() const noexcept {
   return taken == put_.load(std::memory_order_acquire) ? nullptr : &ring_[taken % capacity];
 }
 
-/// Between the last event and the one that comes.
+/// Between the last event and the one that comes; a press goes nowhere where that one ends it, up from the
+/// surface.
 void PointerPath::show(const PointerAim& to) noexcept {
   const double span_s = to.finger.t_s - from_.finger.t_s;
   const double share = span_s > 0 ? std::clamp((now_s_ - from_.finger.t_s) / span_s, 0.0, 1.0) : 1.0;
   shown_ = from_;
+  if (presses(from_) && !presses(to)) return;
   shown_.finger.p_WQ += share * (to.finger.p_WQ - from_.finger.p_WQ);
   shown_.spot_W += share * (to.spot_W - from_.spot_W);
 }
@@ -64,12 +66,14 @@ const PointerAim& PointerPath::advance(double dt_s) noexcept {
       show(*to);
       return shown_;
     }
+    const bool begins = presses(*to) && !presses(from_);
     from_ = *to;
     taken_.store(taken_.load(std::memory_order_relaxed) + 1, std::memory_order_release);
+    if (begins) break;  // nobody misses a press, however soon it ends
   }
-  now_s_ = from_.finger.t_s;  // played out: the next is taken up from here
+  now_s_ = from_.finger.t_s;  // the next is taken up from here
   shown_ = from_;
-  rested_ = true;
+  rested_ = next() == nullptr;
   return shown_;
 }
 

@@ -16,7 +16,7 @@ const std::vector<KeyRow>& rows() {
        windows::motors,
        {{"g", A::give_back}, {"X", A::give_back}}},
       {"move the mouse", "the finger follows over the part", windows::led},
-      {"hold left button", "press on the part", windows::led},
+      {"hold left button", "press on the part; a click taps it", windows::led},
       {"Space", "press without holding, lift", windows::led, {{"space", A::press}}},
       {"wheel, Page keys", "press harder, softer", windows::led, {{"Prior", A::harder}, {"Next", A::softer}}},
       {"arrow keys",

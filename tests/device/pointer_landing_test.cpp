@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <utility>
 
 #include "device/pointed_worlds.hpp"
 #include "support/effort.hpp"
@@ -34,12 +35,7 @@ class HoverAndPress {
   /// @returns how much farther from the spot than it hovered the finger was before it touched [m]; nothing
   /// where it does not hover over the spot or the way down is not free
   std::optional<double> farther_m() {
-    if (!point(0)) return std::nullopt;
-    go(0.25 + 0.2 * random_.uniform());
-    at_ += 0.1 * Eigen::Vector2d(random_.normal(), random_.normal());
-    if (!point(0)) return std::nullopt;
-    go(0.9 + random_.uniform());
-    if ((at_W_ - hover_W_).norm() > 0.01 * pointed_.radius_m || !is_free_down()) return std::nullopt;
+    if (!hovers()) return std::nullopt;
     point(1);
     farthest_m_ = 0;
     const double hover_m = (at_W_ - touching_W_).norm();
@@ -48,7 +44,30 @@ class HoverAndPress {
   }
   bool touched() const { return touched_; }
 
+  /// @returns the greatest force of a click that asks for 1 N for so long [N], and of what comes half a
+  /// second after it; nothing where it does not hover over the spot or the way down is not free
+  std::optional<std::pair<double, double>> clicked_n(double held_s) {
+    if (!hovers()) return std::nullopt;
+    most_n_ = 0;
+    point(1);
+    go(held_s);
+    point(0);
+    go(0.5);
+    const double clicked_n = std::exchange(most_n_, 0);
+    go(0.2);
+    return std::pair(clicked_n, most_n_);
+  }
+
  private:
+  bool hovers() {
+    if (!point(0)) return false;
+    go(0.25 + 0.2 * random_.uniform());
+    at_ += 0.1 * Eigen::Vector2d(random_.normal(), random_.normal());
+    if (!point(0)) return false;
+    go(0.9 + random_.uniform());
+    return (at_W_ - hover_W_).norm() <= 0.01 * pointed_.radius_m && is_free_down();
+  }
+
   bool point(double press_n) {
     const Vec3 right_W = towards_eye_W_.unitOrthogonal(), up_W = towards_eye_W_.cross(right_W);
     const Vec3 from_W =
@@ -75,6 +94,7 @@ class HoverAndPress {
       finger_.feel(row);
       at_W_ = sample.p_WQ;
       touched_ |= row.walls > 0;
+      most_n_ = std::max(most_n_, row.normal_force_n);
       if (!touched_) farthest_m_ = std::max(farthest_m_, (at_W_ - touching_W_).norm());
     }
   }
@@ -95,7 +115,7 @@ class HoverAndPress {
   Vec3 towards_eye_W_ = Vec3::UnitZ(), hover_W_ = Vec3::Zero(), touching_W_ = Vec3::Zero(),
        at_W_ = Vec3::Zero();
   Eigen::Vector2d at_ = Eigen::Vector2d::Zero();
-  double t_s_ = 0, farthest_m_ = 0;
+  double t_s_ = 0, farthest_m_ = 0, most_n_ = 0;
   bool touched_ = false;
 };
 
@@ -120,6 +140,24 @@ TEST(PointerLanding, AHoveringFingerThatIsPressedComesStraightDown) {
   fmt::print("{} of {} landed\n", landed, asked);
   EXPECT_GT(asked, landing_count / 5);
   EXPECT_EQ(landed, asked);
+}
+
+// A button is let go sooner than the finger is down.
+TEST(PointerLanding, AClickHoweverShortIsFeltAndEnds) {
+  const auto worlds = test::pointed_worlds();
+  int asked = 0;
+  for (int k = 0; k < landing_count; ++k) {
+    const PointedWorld& pointed = worlds[static_cast<std::size_t>(k) % worlds.size()];
+    SCOPED_TRACE(fmt::format("path {} over {}", k, pointed.name));
+    HoverAndPress hand(pointed, 9000 + static_cast<std::uint64_t>(k));
+    const auto clicked_n = hand.clicked_n(0.001 + 0.03 * (k % 5));
+    if (!clicked_n) continue;
+    ++asked;
+    EXPECT_GE(clicked_n->first, 0.5);
+    EXPECT_LE(clicked_n->first, 1.5);
+    EXPECT_EQ(clicked_n->second, 0);
+  }
+  EXPECT_GT(asked, landing_count / 5);
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ TEST(KeyTable, TheHelpPageAndTheKeysAreItsRows) {
   EXPECT_EQ(action_of("x", by_device | windows::motors), KeyAction::stop);
   EXPECT_EQ(action_of("X", by_device | windows::motors), KeyAction::give_back);
   const auto lines = help_lines(by_mouse);
-  EXPECT_THAT(lines, testing::Contains("hold left button: press on the part"));
+  EXPECT_THAT(lines, testing::Contains("hold left button: press on the part; a click taps it"));
   EXPECT_THAT(lines, testing::Not(testing::Contains(testing::HasSubstr("emergency"))));
   for (const KeyRow& row : key_table()) EXPECT_FALSE(row.does.empty());
 }
