@@ -82,15 +82,17 @@ CheckedMesh checked(const std::string& path, ImportOptions how) {
 
 bool tell_mesh(const CheckedMesh& mesh, bool as_json, Json& report) {
   const Verdict& verdict = mesh.imported.verdict;
+  const std::string hint = unit_hint(verdict, mesh.metres_per_unit);
   if (as_json) {
     report.push_back(verdict_json(verdict, mesh.wall_m));
+    report.back()["metres_per_unit"] = mesh.metres_per_unit;
+    report.back()["hint"] = hint;
   } else if (!verdict.touchable) {
     print_out("{}: refused\n", verdict.file);  // the reason goes to standard error, once
   } else {
     write_stream(stdout, verdict_text(verdict));
     if (std::isfinite(mesh.wall_m)) print_out("  thinnest wall  {} mm\n", rounded_text(1e3 * mesh.wall_m, 4));
   }
-  const std::string hint = unit_hint(verdict, mesh.metres_per_unit);
   if (!hint.empty()) print_err("fingerpad: {}: {}\n", verdict.file, hint);
   if (!verdict.touchable) print_err("fingerpad: error: {}\n", refusal_text(verdict));
   return verdict.touchable;

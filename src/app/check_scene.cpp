@@ -31,12 +31,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// "part 2 (knob.stl)", "plane 1".
-std::string surface_words(const Scene& scene, std::size_t i) {
-  if (i >= scene.parts.size()) return fmt::format("plane {}", i - scene.parts.size() + 1);
-  return fmt::format("part {} ({})", i + 1, printable(scene.parts[i].mesh));
-}
-
 /// What --json says of a scene or its parts; nothing of it where lines are printed.
 using Objects = std::vector<Json*>;
 
@@ -46,12 +40,12 @@ void tell_overlaps(const Scene& scene, const std::string& path, const World& wor
   for (Json* object : objects) (*object)["overlaps"] = Json::array();
   for (const Overlap& overlap : overlaps(placed_surfaces(world))) {
     print_err("fingerpad: {}: {} and {} overlap by {} mm at ({}, {}, {}) m; is that meant?\n", path,
-              surface_words(scene, overlap.one), surface_words(scene, overlap.other),
+              counted_name(world, overlap.one), counted_name(world, overlap.other),
               rounded_text(1e3 * overlap.depth_m, 3), rounded_text(overlap.at_W.x(), 4),
               rounded_text(overlap.at_W.y(), 4), rounded_text(overlap.at_W.z(), 4));
     for (const auto& [of, with] : {std::pair(overlap.one, overlap.other), {overlap.other, overlap.one}}) {
       if (of >= std::min(objects.size(), scene.parts.size())) continue;  // a plane
-      (*objects[of])["overlaps"].push_back({{"with", surface_words(scene, with)},
+      (*objects[of])["overlaps"].push_back({{"with", counted_name(world, with)},
                                             {"depth_m", overlap.depth_m},
                                             {"at_m", place_json(overlap.at_W)}});
     }

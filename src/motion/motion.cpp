@@ -47,7 +47,8 @@ void check_times(const RecordedTable& recording, const RecordingFormat& format,
     const char* mend =
         format.trial && format.subject ? ""
         : format.trial ? "; where subjects have trials of the same number, say 'subject' in [motion] too"
-                       : "; of a table of several trials say which one: 'trial' in [motion] (and 'subject')";
+                       : "; sort the rows by time; of a table of several trials say which one: 'trial' in "
+                         "[motion] (and 'subject')";
     throw recording.fault(i, fmt::format("time {} s does not come after {} s{}", t_s[i], t_s[i - 1], mend));
   }
 }

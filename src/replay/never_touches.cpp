@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "base/number_text.hpp"
-#include "base/printable_text.hpp"
 
 namespace fingerpad {
 namespace {
@@ -69,19 +68,16 @@ std::string never_touches(const World& world, const FingerPath& path, const Near
                           double radius_m, bool is_placed) {
   if (!(nearest.gap_m >= 0) || !std::isfinite(nearest.gap_m)) return {};
   const Surface& surface = world.surfaces[nearest.surface];
-  const std::string reach =
-      fmt::format("the motion never touches: it comes nearest at t = {} s, {} mm from",
-                  rounded_text(nearest.t_s, 4), rounded_text(mm_per_m * nearest.gap_m, 4));
+  const std::string reach = fmt::format(
+      "the motion never touches: it comes nearest at t = {} s, {} mm from {}", rounded_text(nearest.t_s, 4),
+      rounded_text(mm_per_m * nearest.gap_m, 4), counted_name(world, nearest.surface));
   const std::string spans = size_text(nearest.box_W.max - nearest.box_W.min);
   const std::string remedy =
       path.recording() != nullptr && !is_placed ? remedy_words(world, path, radius_m) : "";
   if (surface.is_plane())
-    return fmt::format("{} plane {}; the motion spans {}: check [motion] unit{}", reach, nearest.surface,
-                       spans, remedy);
-  return fmt::format(
-      "{} part {} ({}); the part is {} and the motion spans {}: check [motion] unit and [[part]] unit{}",
-      reach, nearest.surface, printable(surface.mesh, 200), size_text(2 * world_box(surface).half), spans,
-      remedy);
+    return fmt::format("{}; the motion spans {}: check [motion] unit{}", reach, spans, remedy);
+  return fmt::format("{}; the part is {} and the motion spans {}: check [motion] unit and [[part]] unit{}",
+                     reach, size_text(2 * world_box(surface).half), spans, remedy);
 }
 
 std::string pressed_too_deep(const Scene& scene, double depth_m) {

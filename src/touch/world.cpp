@@ -1,11 +1,14 @@
 #include "touch/world.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <limits>
 
+#include "base/printable_text.hpp"
 #include "part/part.hpp"
 #include "touch/mesh_store.hpp"
 #include "touch/unit_hints.hpp"
@@ -15,6 +18,16 @@ namespace fingerpad {
 std::string shown_name(const Surface& surface) {
   return surface.is_plane() ? std::string(surface.kind().name)
                             : std::filesystem::path(surface.mesh).filename().string();
+}
+
+std::string counted_name(const World& world, std::size_t surface) {
+  const Surface& named = world.surfaces[surface];
+  const auto before = world.surfaces.begin() + static_cast<std::ptrdiff_t>(surface);
+  const auto alike = std::count_if(world.surfaces.begin(), before, [&named](const Surface& other) {
+    return other.is_plane() == named.is_plane();
+  });
+  if (named.is_plane()) return fmt::format("plane {}", alike + 1);
+  return fmt::format("part {} ({})", alike + 1, printable(named.mesh, 200));
 }
 
 bool any_planes_meet(std::span<const Surface> surfaces) noexcept {

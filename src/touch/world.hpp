@@ -32,6 +32,8 @@ struct World {
 
 /// "bracket.stl", its mesh without the folders; "plane".
 std::string shown_name(const Surface& surface);
+/// "part 2 (knob.stl)", "plane 1": counted as they stand in the scene's file, from 1.
+std::string counted_name(const World& world, std::size_t surface);
 
 /// Whether two planes meet: a finger in their corner is held by both.
 bool any_planes_meet(std::span<const Surface> surfaces) noexcept;

@@ -49,6 +49,11 @@ void refuse_wild_rate(const MotionReading& reading, double least_hz) {
                   clock_text(clock), most_hz));
 }
 
+void warn_of_one_sample(MotionReading& reading) {
+  if (reading.motion.t_s.size() != 1) return;
+  reading.warn("has one row: the finger is there for one tick, and a motion takes two rows or more");
+}
+
 void warn_of_odd_steps(MotionReading& reading) {
   const RecordingClock& clock = reading.clock;
   if (clock.odd_steps == 0) return;

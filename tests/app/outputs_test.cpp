@@ -314,7 +314,7 @@ TEST(Check, TellsOfAMotionThatTouchesNothingAndOfOneThatGoesFarBeyond) {
   const std::string nothing = "s.toml: the motion never touches: it comes nearest at t = ";
   // Over the middle of the box, whose top is at 15 mm, a ball of 2 mm at 100 mm; said as by replay.
   const std::string told = check("radius_m = 0.002", over);
-  EXPECT_THAT(told, HasSubstr(nothing + "0 s, 83 mm from part 0 (box.stl)"));
+  EXPECT_THAT(told, HasSubstr(nothing + "0 s, 83 mm from part 1 (box.stl)"));
   EXPECT_THAT(test::fingerpad("replay s.toml --out o", folder).err,
               HasSubstr(told.substr(told.find("the motion never touches"))));
   const auto report = nlohmann::json::parse(test::fingerpad("check s.toml --json", folder).out);

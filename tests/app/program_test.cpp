@@ -98,6 +98,8 @@ TEST(Program, CheckTellsTheCubeInTextAndJson) {
   EXPECT_EQ(report[0]["components"], 1);
   EXPECT_NEAR(report[0]["volume_m3"].get<double>(), 1e-6, 1e-18);
   EXPECT_NEAR(report[0]["thinnest_wall_m"].get<double>(), 0.01, 1e-7);  // rays are float32
+  EXPECT_EQ(report[0]["metres_per_unit"], 1e-3);
+  EXPECT_EQ(report[0]["hint"], "");
 }
 
 TEST(Program, ReplayThenExportGivesTheCsvThatReplayWrites) {

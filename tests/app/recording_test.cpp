@@ -43,7 +43,19 @@ TEST(Recording, ThatNeverTouchesIsAWarningEvenOfAQuietRun) {
     EXPECT_EQ(
         result.err,
         "fingerpad: warning: s: the motion never touches: it comes nearest at t = 1 s, 2000 mm from plane "
-        "0; the motion spans 30000 x 0 x 3000 mm: check [motion] unit\n");
+        "1; the motion spans 30000 x 0 x 3000 mm: check [motion] unit\n");
+  }
+}
+
+TEST(Recording, OfOneRowIsTold) {
+  const fs::path folder = test::scratch_dir();
+  test::write_file(folder, "m.csv", "t_s,x_m,y_m,z_m\n0,0,0,0\n");
+  test::write_file(folder, "s.toml",
+                   "[[plane]]\npoint_m = [0,0,0]\nnormal = [0,0,1]\n[motion]\nfile = \"m.csv\"\n");
+  for (const char* command : {"check s.toml", "replay s.toml --out o"}) {
+    EXPECT_THAT(test::fingerpad(command, folder).err,
+                HasSubstr("m.csv: has one row: the finger is there for one tick"))
+        << command;
   }
 }
 
@@ -59,7 +71,7 @@ TEST(Recording, OfASetThatNeverTouchesIsADozenWarningsAndACount) {
   const auto result = test::fingerpad("replay s.toml --out o --quiet", folder);
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 13) << result.err;
-  EXPECT_THAT(result.err, AllOf(HasSubstr("at t = 1 s, 3000 mm from plane 0"),
+  EXPECT_THAT(result.err, AllOf(HasSubstr("at t = 1 s, 3000 mm from plane 1"),
                                 HasSubstr("fingerpad: warning: and 28 more such lines; summary.csv has")));
 }
 

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "support/mesh_files.hpp"
 #include "support/paths.hpp"
@@ -58,6 +59,8 @@ TEST(UnlikelyUnit, IsToldByAllThatTouchAPart) {
     EXPECT_EQ(result.exit_code, call.code) << call.arguments << result.err;
     EXPECT_THAT(result.err, told) << call.arguments;
   }
+  const auto checked = nlohmann::json::parse(test::fingerpad("check box.stl --json", folder).out);
+  EXPECT_THAT(checked[0]["hint"].get<std::string>(), HasSubstr("is 0.05 mm long"));
   EXPECT_THAT(test::fingerpad("query box.stl p.csv --unit m", folder).err, Not(HasSubstr("long;")));
   test::write_file(folder, "s.toml", box_scene("m", rub));
   EXPECT_THAT(test::fingerpad("replay s.toml --out o", folder).err, Not(HasSubstr("long;")));

@@ -104,7 +104,7 @@ TEST(RecordingJob, AMotionInAnotherUnitIsToldThatItNeverTouches) {
     ASSERT_EQ(job.warnings.size(), 1u);
     EXPECT_THAT(job.warnings[0],
                 AllOf(HasSubstr("s: the motion never touches: it comes nearest at t = "),
-                      HasSubstr("from part 0 (box.ply)"), HasSubstr("the part is 100 x 60 x 20 mm"),
+                      HasSubstr("from part 1 (box.ply)"), HasSubstr("the part is 100 x 60 x 20 mm"),
                       HasSubstr("the motion spans 80000 x 10000 x 23000 mm"),
                       HasSubstr("check [motion] unit and [[part]] unit")));
   }
@@ -134,7 +134,7 @@ TEST(NeverTouches, KnowsTheNearestOfAllSurfacesAndTheFingersRadius) {
   motion.p_WQ << 0, 0.01, 0.02, 0, 0, 0, 0.04, 0.025, 0.03;
   const std::string part = never_touches(*world, FingerPath(motion, 10, Vec3::UnitX()), 0.007);
   EXPECT_THAT(part,
-              AllOf(HasSubstr("at t = 1 s, 8 mm from part 0 (box.stl)"), HasSubstr("spans 20 x 0 x 15 mm")));
+              AllOf(HasSubstr("at t = 1 s, 8 mm from part 1 (box.stl)"), HasSubstr("spans 20 x 0 x 15 mm")));
   motion.p_WQ.row(2) << -0.03, -0.045, -0.02;
   const std::string below = never_touches(*world, FingerPath(motion, 10, Vec3::UnitX()), 0.002);
   EXPECT_THAT(below, AllOf(HasSubstr("at t = 1 s, 3 mm from plane 1; the motion"), HasSubstr("unit")));
@@ -154,7 +154,7 @@ TEST(NeverTouches, LooksAtEveryTickAndTakesASheetForNothingMore) {
     motion.p_WQ.col(k) = Vec3(0.01, 0.01, k == near_tick ? -0.005 : -0.02);
   }
   const auto told = [&] { return never_touches(*world, FingerPath(motion, 1000, Vec3::UnitX()), 0.002); };
-  EXPECT_THAT(told(), HasSubstr("nearest at t = 5.003 s, 3 mm from part 0 (sheet.stl)"));
+  EXPECT_THAT(told(), HasSubstr("nearest at t = 5.003 s, 3 mm from part 1 (sheet.stl)"));
   motion.p_WQ(2, near_tick) = -0.001;
   EXPECT_EQ(told(), "") << "a ball of 2 mm touches it there";
 }

@@ -95,7 +95,8 @@ TEST_F(Hdf5Motion, AsksForWhatItLacksAndRefusesWhatIsOfTextsAlone) {
                     HasSubstr("say [motion] columns = { t = \"time\" }")));
   format = named();
   EXPECT_THAT(test::why_not([&] { read_motion_hdf5(path, format); }),
-              HasSubstr("own.h5:4: time 0 s does not come after 0.002 s; of a table of several trials say"));
+              HasSubstr("own.h5:4: time 0 s does not come after 0.002 s; sort the rows by time; of a table "
+                        "of several trials say"));
   format.dialect.separator = ';';
   EXPECT_THAT(test::why_not([&] { read_motion_hdf5(path, format); }),
               HasSubstr("'separator' in [motion] says how a table of text is read, and this is HDF5"));
