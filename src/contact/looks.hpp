@@ -27,6 +27,8 @@ struct LookCosts {
   static constexpr long angle = 5;            ///< the angle under which a triangle is seen
   static constexpr long projection = 32;      ///< onto four walls
   static constexpr long hop = 64;             ///< the way over an edge
+  /// Of a start, so many times that: it comes where no tick has been, and finds nothing at hand.
+  static constexpr double of_start = 4.0 / 3;
 };
 
 /// How much a tick may still spend on looks, at the prices of LookCosts: a bound on its work that is the same

@@ -38,12 +38,13 @@ ProxyStart::End ProxyStart::go_on(const ProxyWorld& world, const Vec3& goal_O, L
     return out_O ? End::placed : End::no_place;
   }
   const bool takes_long = is_underway_ && ++ticks_ >= ProxyLimits::patient_ticks;
-  if (!has_failed_ && !takes_long) return push_on(world, goal_O, looks);
   // Where there was none, there likely is none yet: what looks for it takes little of a tick.
   if (has_failed_ && (goal_O - goal_O_).norm() > world.clearance_m()) is_underway_ = false;
-  Looks few(std::max(1L, looks.left() / ProxyLimits::less_after_no_place));
+  const double price =
+      LookCosts::of_start * (has_failed_ || takes_long ? ProxyLimits::less_after_no_place : 1);
+  Looks few(std::max(1L, std::lround(static_cast<double>(looks.left()) / price)));
   const End end = push_on(world, goal_O, few);
-  looks.spend(few.spent());
+  looks.spend(std::lround(LookCosts::of_start * static_cast<double>(few.spent())));
   return end;
 }
 

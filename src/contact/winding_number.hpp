@@ -22,8 +22,9 @@ class WindingNumber {
   /// The winding number about q, to within 0.05 where the part is closed: 0 outside, 1 or -1 inside.
   /// @param q  relative to the part's centre [m], finite. noexcept, allocates nothing.
   double about(const PackedPart& packed, const Vec3& q) const noexcept;
-  /// Whether it is above one half in size; where that is not clear, a small part is summed up triangle by
-  /// triangle, a large one with far fewer dipoles.
+  /// Whether it is above one half in size: asked roughly at first, which tells most places, and where that is
+  /// not clear ever more exactly; in the end a small part is summed up triangle by triangle, a large one with
+  /// far fewer dipoles.
   bool encloses(const PackedPart& packed, const Vec3& q) const noexcept;
   /// The same in pieces: nothing where it was broken off.
   std::optional<bool> encloses(const PackedPart& packed, const Vec3& q, WindingWalk& walk,

@@ -40,6 +40,26 @@ TEST(WindingNumber, IsTheSumOverAllTriangles) {
   }
 }
 
+// A start inside pays for it out of a tick's looks, of which it took most where clusters four radii away were
+// the nearest that counted as dipoles.
+TEST(WindingNumber, OfMostPlacesARoughSumTellsWhetherTheyAreEnclosed) {
+  const auto part = std::make_shared<const Part>(make_part(test::torus_soup(1, 0.25, 192, 96), 0.5));
+  const PackedPart packed = pack(part);
+  const WindingNumber winding(packed);
+  RandomStream random(5);
+  const int places = test::samples(200);
+  int dear = 0;
+  for (int k = 0; k < places; ++k) {
+    const Vec3 q = random_in_box(*part, 1, random);
+    WindingWalk walk;
+    Looks looks(Looks::unlimited);
+    const auto inside = winding.encloses(packed, q, walk, looks);
+    ASSERT_EQ(inside, std::abs(test::winding_number(*part, q)) > 0.5);
+    dear += looks.spent() > 3000 ? 1 : 0;
+  }
+  EXPECT_LE(dear, places / 20);
+}
+
 TEST(WindingNumber, FarOffItVanishes) {
   const auto part = std::make_shared<const Part>(make_part(test::sphere_soup(1, 4), 0.5));
   const PackedPart packed = pack(part);
