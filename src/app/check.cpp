@@ -95,8 +95,7 @@ void add_check(CLI::App& program, Action& action) {
   add_unit_option(*command, options->unit);
   command->add_flag("--json", options->json,
                     "Print an array with an object for each mesh, and for each scene that has none or is "
-                    "refused beside them "
-                    "(lengths in m)");
+                    "refused beside them (lengths in m)");
   command->add_flag("--repair", options->repair,
                     "Say what `repair = true` in a scene's [[part]] would do: weld, drop degenerate and "
                     "duplicate faces, make the winding right");

@@ -152,6 +152,14 @@ bool explains_path(const OverlayFacts& facts, const ViewState& state) {
   return state.path && facts.path;
 }
 
+/// What stands below the keys: how long an arrow is, and whose axes the letters in the scene name.
+std::vector<std::string> legend_notes(const OverlayFacts& facts, const ViewState& state) {
+  std::vector<std::string> notes;
+  if (state.forces) notes.push_back(fmt::format("arrows: {} mm = 1 N", plain_number(facts.mm_per_n)));
+  if (state.frame && facts.row->phase != Phase::free) notes.push_back("n, Cx, Cy: normal, tangents");
+  return notes;
+}
+
 }  // namespace
 
 Vec2 readings_size(const OverlayFacts& facts, double em) {
@@ -208,11 +216,13 @@ Vec2 legend_size(const OverlayFacts& facts, const ViewState& state, double em) {
   const double path_lines = explains_path(facts, state) ? (bar ? 3.0 : 1.0) : 0.0;
   const auto notes = std::ranges::count_if(keys, [](const LegendKey& key) { return !key.note.empty(); });
   const double key_lines = static_cast<double>(keys.size()) + static_cast<double>(notes);
-  const double lines = key_lines + (state.forces ? 1 : 0) + path_lines;
+  const std::vector<std::string> below = legend_notes(facts, state);
+  const double lines = key_lines + static_cast<double>(below.size()) + path_lines;
   if (lines == 0) return {0, 0};
   double width = 15.5 * em;
   for (const LegendKey& key : keys)
     width = std::max({width, text_width(key.label, em) + 4 * em, text_width(key.note, em) + 1.4 * em});
+  for (const std::string& note : below) width = std::max(width, text_width(note, em) + 1.4 * em);
   return {width, lines * legend_line_em * em + 0.8 * em};
 }
 
@@ -228,9 +238,8 @@ void paint_legend(Drawing& drawing, const OverlayFacts& facts, const ViewState& 
     drawing.text({left, y}, key.note, {.size = em, .colour = colours::grey, .upright = Upright::middle});
     y -= line;
   }
-  if (state.forces) {
-    drawing.text({left, y}, fmt::format("arrows: {} mm = 1 N", plain_number(facts.mm_per_n)),
-                 {.size = em, .colour = colours::grey, .upright = Upright::middle});
+  for (const std::string& note : legend_notes(facts, state)) {
+    drawing.text({left, y}, note, {.size = em, .colour = colours::grey, .upright = Upright::middle});
     y -= line;
   }
   if (!explains_path(facts, state)) return;

@@ -55,6 +55,16 @@ std::vector<std::string> legend_of(const OverlayFacts& facts) {
   return words;
 }
 
+TEST(OverlayLegend, SaysWhatTheLettersInTheSceneMeanWhereTheyStandThere) {
+  OverlayFacts facts;
+  facts.row = TickRecord{};
+  facts.row->phase = Phase::slip;
+  using ::testing::Contains;
+  EXPECT_THAT(legend_of(facts), Contains("n, Cx, Cy: normal, tangents"));
+  facts.row->phase = Phase::free;
+  EXPECT_THAT(legend_of(facts), ::testing::Not(Contains("n, Cx, Cy: normal, tangents")));
+}
+
 TEST(OverlayLegend, OfSeveralWallsSaysOnWhichTheStickCentreStands) {
   OverlayFacts facts;
   facts.row = TickRecord{};
