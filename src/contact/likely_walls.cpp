@@ -122,7 +122,7 @@ void LikelyWalls::find(const Vec3& place_O, const Vec3& goal_O, double way_m,
     if (has_one_ahead_) add(*ahead);
   }
   if (count_ > 0 || looks_.are_spent()) return;
-  if (const auto below = wall_below(place_O, way_m, blockers[0])) add(*below);
+  if (const auto below = wall_below(place_O, goal_O, way_m, blockers[0])) add(*below);
 }
 
 /// Of a triangle that held the proxy last, or of the one that the surface goes on to from there under the
@@ -135,11 +135,25 @@ std::optional<ProxyWall> LikelyWalls::wall_touched(const Blocker& blocker, const
   return std::abs(wall.least_m) <= world_.touching_m() ? std::optional(wall) : std::nullopt;
 }
 
-/// Of a triangle that is about the closest to the place.
-std::optional<ProxyWall> LikelyWalls::wall_below(const Vec3& place_O, double way_m,
+/// The wall that a triangle sets to the straight way; none where the ball goes past it. A way that meets
+/// nothing may not be held by a guess: it leads somewhere else.
+std::optional<ProxyWall> LikelyWalls::wall_in_way(const Blocker& triangle, const Vec3& place_O,
+                                                  const Vec3& goal_O) noexcept {
+  if (triangle.triangle < 0) return std::nullopt;
+  const PartWay way(world_, triangle.surface, world_.in_part(triangle.surface, place_O), goal_O - place_O);
+  const TriangleCorners corners = corners_of(world_.part(triangle.surface), triangle.triangle);
+  WorstWall worst = LookRound(world_.tolerance_m()).worst;
+  worst.offer_triangle(world_, way, corners, triangle.triangle,
+                       FirstApproach(approach_triangle(corners, way.from_P)));
+  looks_.spend(LookCosts::told + worst.looks);
+  return worst.wall;
+}
+
+/// Of a triangle that is about the closest to the place; where the way meets no surface, if it is in the way.
+std::optional<ProxyWall> LikelyWalls::wall_below(const Vec3& place_O, const Vec3& goal_O, double way_m,
                                                  const Blocker& near) noexcept {
   const Blocker below = about_closest(place_O, world_.clearance_m() + way_m, near);
-  if (below.triangle < 0) return std::nullopt;
+  if (below.triangle < 0 || (!ahead_.is_met && !wall_in_way(below, place_O, goal_O))) return std::nullopt;
   return world_.wall_at(below.surface, below.triangle, place_O);
 }
 
@@ -147,46 +161,48 @@ std::optional<ProxyWall> LikelyWalls::wall_below(const Vec3& place_O, double way
 std::optional<ProxyWall> LikelyWalls::wall_ahead(const Vec3& place_O, const Vec3& goal_O, double way_m,
                                                  const Blocker& near) noexcept {
   if (ahead_goal_O_ != goal_O) {
-    ahead_ = triangle_ahead(place_O, goal_O, way_m, ahead_.triangle < 0 ? near : ahead_);
+    ahead_ = triangle_ahead(place_O, goal_O, way_m, ahead_.at.triangle < 0 ? near : ahead_.at);
     // What is looked at in part may lead to the wrong side.
     if (looks_.are_spent()) return std::nullopt;
     ahead_goal_O_ = goal_O;
   }
-  if (ahead_.triangle < 0) return std::nullopt;
-  const ProxyWall seen = world_.tangent_wall(ahead_.surface, ahead_.triangle, goal_O, place_O);
+  const auto [at, is_met] = ahead_;
+  if (at.triangle < 0) return std::nullopt;
+  if (!is_met) return wall_in_way(at, place_O, goal_O);
+  const ProxyWall seen = world_.tangent_wall(at.surface, at.triangle, goal_O, place_O);
   if (seen.least_m <= world_.tolerance_m()) return seen;
   // The finger is behind it: its own plane, if the ball is in front of that.
-  const TriangleCorners f = corners_of(world_.part(ahead_.surface), ahead_.triangle);
-  const Vec3 place_P = world_.in_part(ahead_.surface, place_O);
+  const TriangleCorners f = corners_of(world_.part(at.surface), at.triangle);
+  const Vec3 place_P = world_.in_part(at.surface, place_O);
   const FacetSide facet = facet_side(f, place_P, place_P, world_.clearance_m(), world_.tolerance_m());
   if (facet.side == 0) return std::nullopt;
-  return ProxyWall{world_.turned_from_part(ahead_.surface, facet.side * f.normal), -facet.slack_m,
-                   ahead_.surface, ahead_.triangle};
+  return ProxyWall{world_.turned_from_part(at.surface, facet.side * f.normal), -facet.slack_m, at.surface,
+                   at.triangle};
 }
 
 /// The one that the surface leads to from where the straight way meets it: what is closer to the finger may
 /// belong to another side of the part, on which the step does not end. None where the ball touches something
 /// else first. Of a way that meets nothing the one about the closest to the finger.
-Blocker LikelyWalls::triangle_ahead(const Vec3& place_O, const Vec3& goal_O, double way_m,
-                                    const Blocker& near) noexcept {
+LikelyWalls::Ahead LikelyWalls::triangle_ahead(const Vec3& place_O, const Vec3& goal_O, double way_m,
+                                               const Blocker& near) noexcept {
   const double reach_m = std::max(way_m, world_.clearance_m());
   const Met met = first_met(place_O, goal_O);
   if (looks_.are_spent()) return {};
-  if (met.triangle < 0) return about_closest(goal_O, reach_m, near);
+  if (met.triangle < 0) return {about_closest(goal_O, reach_m, near)};
   const Part& part = world_.part(met.surface);
   const Vec3 goal_P = world_.in_part(met.surface, goal_O);
-  if (!is_touched_first(met, world_.in_part(met.surface, place_O), goal_P)) return {};
+  if (!is_touched_first(met, world_.in_part(met.surface, place_O), goal_P)) return {{}, true};
   const Slide slide = slide_under(part, {met.triangle, met.at_P}, goal_P, looks_);
-  if (slide.end != Slide::End::cut) return {met.surface, slide.triangle};
+  if (slide.end != Slide::End::cut) return {{met.surface, slide.triangle}, true};
   // It is farther than one goes from triangle to triangle. A surface that has turned so far may turn on.
   const Blocker closest = about_closest(goal_O, reach_m, near);
-  if (closest.surface != met.surface || closest.triangle < 0) return {met.surface, slide.triangle};
+  if (closest.surface != met.surface || closest.triangle < 0) return {{met.surface, slide.triangle}, true};
   const auto turn_cosine = [&](int from, int to) {
     return part.facet_normals.col(from).dot(part.facet_normals.col(to));
   };
   const bool may_lead_there = turn_cosine(met.triangle, slide.triangle) < Limits::turning_cosine ||
                               turn_cosine(slide.triangle, closest.triangle) > Limits::same_side_cosine;
-  return may_lead_there ? closest : Blocker{met.surface, slide.triangle};
+  return {may_lead_there ? closest : Blocker{met.surface, slide.triangle}, true};
 }
 
 /// The triangle that the straight way to the finger meets first, about, and where.

@@ -30,10 +30,17 @@ class LikelyWalls {
 
  private:
   std::optional<ProxyWall> wall_touched(const Blocker& blocker, const Vec3& place_O) noexcept;
-  std::optional<ProxyWall> wall_below(const Vec3& place_O, double way_m, const Blocker& near) noexcept;
+  std::optional<ProxyWall> wall_below(const Vec3& place_O, const Vec3& goal_O, double way_m,
+                                      const Blocker& near) noexcept;
   std::optional<ProxyWall> wall_ahead(const Vec3& place_O, const Vec3& goal_O, double way_m,
                                       const Blocker& near) noexcept;
-  Blocker triangle_ahead(const Vec3& place_O, const Vec3& goal_O, double way_m, const Blocker& near) noexcept;
+  struct Ahead {
+    Blocker at;
+    bool is_met = false;  ///< the finger's straight way meets a surface, and that leads there
+  };
+  std::optional<ProxyWall> wall_in_way(const Blocker& triangle, const Vec3& place_O,
+                                       const Vec3& goal_O) noexcept;
+  Ahead triangle_ahead(const Vec3& place_O, const Vec3& goal_O, double way_m, const Blocker& near) noexcept;
   struct Met;
   Met first_met(const Vec3& place_O, const Vec3& goal_O) noexcept;
   bool is_touched_first(const Met& met, const Vec3& place_P, const Vec3& goal_P) noexcept;
@@ -46,7 +53,7 @@ class LikelyWalls {
   std::size_t count_ = 0;
   bool has_one_ahead_ = false;
   Vec3 ahead_goal_O_ = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());  // a step to this finger ...
-  Blocker ahead_;  // ... likely ends at this triangle
+  Ahead ahead_;  // ... likely ends at this triangle
 };
 
 }  // namespace fingerpad

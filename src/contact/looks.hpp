@@ -27,7 +27,8 @@ struct LookCosts {
   static constexpr long angle = 5;            ///< the angle under which a triangle is seen
   static constexpr long projection = 32;      ///< onto four walls
   static constexpr long hop = 64;             ///< the way over an edge
-  /// Of a start, so many times that: it comes where no tick has been, and finds nothing at hand.
+  /// No price: what a start looks at counts so many times. It comes where no tick has been, and finds nothing
+  /// at hand.
   static constexpr double of_start = 4.0 / 3;
 };
 

@@ -11,9 +11,10 @@
 
 namespace fingerpad {
 
-/// The packets of a part, those about first whose boxes are nearest to a point. Where very many are about as
-/// near, as from the middle of a ball, no more than a few clusters are gone into before a packet is found.
-/// The order is the part's alone.
+/// The packets of a part, about in the order of how near their boxes are to a point. It is a hint: where very
+/// many are about as near, as from the middle of a ball, no more than a few clusters are gone into for each
+/// packet, so that a nearer one may come later, and those of which no more are kept in mind (most_open) not
+/// at all. The order depends on the part alone.
 class WindingNumber::NearestPackets {
  public:
   /// @param at  scaled
@@ -21,8 +22,8 @@ class WindingNumber::NearestPackets {
     look_into(clusters.top(), 0, false, nowhere);
   }
 
-  /// The next packet, of those whose boxes come within the radius (scaled, up to rounding) or of one that is
-  /// farther where too many are about as near; false when there is none.
+  /// The next packet; false when there is none. Its box comes within the radius (scaled, up to rounding), but
+  /// for one that was found in a cluster which does: that may be farther.
   /// @param radius  no larger than at the last call: what was beyond it then is forgotten
   bool next(std::size_t& packet, double radius) noexcept {
     for (int gone_into = 0; count_ > 0; ++gone_into) {
@@ -53,7 +54,7 @@ class WindingNumber::NearestPackets {
     std::uint32_t level, index;
   };
   static constexpr double nowhere = std::numeric_limits<double>::infinity();
-  /// Those that do not fit are left out: of thousands that are about as near, if one asks for so many.
+  /// Clusters that are kept in mind; those that do not fit are left out.
   static constexpr std::ptrdiff_t most_open = 1024;
   /// Clusters that are gone into one after the other, the nearest first, before the way goes straight down.
   static constexpr int most_gone_into = 16;

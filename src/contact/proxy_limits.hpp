@@ -79,11 +79,11 @@ struct ProxyLimits {
   /// shorter by more than that.
   static constexpr double next_bend = 0.5;
 
-  /// Gap between the ball and what holds it, as a share of the scene's extent, that can be seen and felt: of
-  /// a part as large as a hand, a micrometre.
+  /// The ball is far from a wall if the gap to it could be seen and felt: a share of the scene's extent, of a
+  /// part as large as a hand a micrometre ...
   static constexpr double far_wall = 1e-5;
-  /// The same as a share of the clearance, where that is less: a point's is so small that all which it comes
-  /// by would be near, such as the face beyond an edge, from whose plane's other side it comes.
+  /// ... or a share of the clearance, where that is less. A point's clearance is far below a micrometre: a
+  /// point that has passed an edge is so close to the planes of both its faces, and is yet past one of them.
   static constexpr double far_wall_share = 1.0 / 32;
 
   /// Sine of the angle under which a wall's normal counts as that of the triangle it stands for: where they

@@ -40,7 +40,7 @@ class Turns {
     const bool is_beyond = turned_y > 0 || (turned_y == 0 && turned_x < 0);
     if (y_ < 0 && y < 0 && is_beyond) --rounds_;
     x_ = turned_x;
-    y_ = turned_y;
+    y_ = turned_y + 0.0;  // no -0, of which the arc tangent makes -pi: the round that was taken off above
   }
   double sum() const noexcept { return 2 * std::numbers::pi * rounds_ + std::atan2(y_, x_); }
 
