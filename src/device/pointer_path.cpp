@@ -12,18 +12,14 @@ constexpr double most_lag_s = 0.15, hurry = 2;
 /// So far behind it events are not late: their clock has leapt.
 constexpr double leap_s = 1;
 
-bool presses(const PointerAim& aim) noexcept {
-  return aim.finger.push_W_n != Vec3::Zero();
-}
-
 }  // namespace
 
 void PointerPath::put(const PointerAim& aim) noexcept {
   const std::size_t put = put_.load(std::memory_order_relaxed);
   const std::size_t room = capacity - (put - taken_.load(std::memory_order_acquire));
-  const bool begins = presses(aim) && !pressed_, ends = !presses(aim) && pressed_;
+  const bool begins = aim.presses() && !pressed_, ends = !aim.presses() && pressed_;
   if (room < (ends ? 1 : begins ? 2 : 3)) return;
-  pressed_ = presses(aim);
+  pressed_ = aim.presses();
   ring_[put % capacity] = aim;
   put_.store(put + 1, std::memory_order_release);
 }
@@ -33,13 +29,13 @@ const PointerAim* PointerPath::next() const noexcept {
   return taken == put_.load(std::memory_order_acquire) ? nullptr : &ring_[taken % capacity];
 }
 
-/// Between the last event and the one that comes; a press goes nowhere where that one ends it, up from the
-/// surface.
+/// Between the last event and the one that comes. A press stays where it is until the event that ends it,
+/// which is a place above the surface.
 void PointerPath::show(const PointerAim& to) noexcept {
   const double span_s = to.finger.t_s - from_.finger.t_s;
   const double share = span_s > 0 ? std::clamp((now_s_ - from_.finger.t_s) / span_s, 0.0, 1.0) : 1.0;
   shown_ = from_;
-  if (presses(from_) && !presses(to)) return;
+  if (from_.presses() && !to.presses()) return;
   shown_.finger.p_WQ += share * (to.finger.p_WQ - from_.finger.p_WQ);
   shown_.spot_W += share * (to.spot_W - from_.spot_W);
 }
@@ -66,10 +62,10 @@ const PointerAim& PointerPath::advance(double dt_s) noexcept {
       show(*to);
       return shown_;
     }
-    const bool begins = presses(*to) && !presses(from_);
+    const bool begins_or_ends = to->presses() != from_.presses();
     from_ = *to;
     taken_.store(taken_.load(std::memory_order_relaxed) + 1, std::memory_order_release);
-    if (begins) break;  // nobody misses a press, however soon it ends
+    if (begins_or_ends) break;  // a press is shown, and so is that it has ended, however soon the next comes
   }
   now_s_ = from_.finger.t_s;  // the next is taken up from here
   shown_ = from_;

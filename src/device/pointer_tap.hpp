@@ -1,7 +1,5 @@
 #pragma once
 
-#include <algorithm>
-
 #include "device/pointer_aim.hpp"
 #include "device/pointer_limits.hpp"
 
@@ -14,29 +12,30 @@ class PointerTap {
  public:
   /// What the finger is to do in this tick. @param felt_n  normal force of the last tick
   const PointerAim& lead(const PointerAim& aim, double felt_n, double dt_s) noexcept {
-    const double push_n = aim.finger.push_W_n.norm();
-    if (push_n > 0) {
-      if (!is_pressed_) begin();
-      press_ = aim;
-    }
-    is_pressed_ = push_n > 0;
+    const bool begins = aim.presses() && !is_pressed_;
+    if (begins) forget();
+    if (aim.presses()) press_ = aim;
+    is_pressed_ = aim.presses();
     asked_s_ += dt_s;
-    most_n_ = std::max(most_n_, felt_n);
-    if (is_pressed_ || has_ended()) return aim;
-    return press_;
+    const bool is_firm = felt_n >= pointer_limits::tap_share * press_.finger.push_W_n.norm();
+    is_felt_ |= is_firm && was_light_;
+    was_light_ |= !is_firm;
+    return is_pressed_ || has_ended() ? aim : press_;
   }
 
+  /// Asks for nothing on.
+  void forget() noexcept { *this = PointerTap(); }
+
  private:
-  void begin() noexcept { asked_s_ = most_n_ = 0; }
   bool has_ended() const noexcept {
-    return asked_s_ > pointer_limits::tap_s ||
-           most_n_ >= pointer_limits::tap_share * press_.finger.push_W_n.norm();
+    return !press_.presses() || is_felt_ || asked_s_ > pointer_limits::tap_s;
   }
 
   PointerAim press_;  // the last that pressed; none asks for nothing
   bool is_pressed_ = false;
-  double asked_s_ = 0;  // since the press began
-  double most_n_ = 0;   // felt since then
+  double asked_s_ = 0;      // since the press began
+  bool was_light_ = false;  // what is felt since then is no longer that of a press before
+  bool is_felt_ = false;
 };
 
 }  // namespace fingerpad

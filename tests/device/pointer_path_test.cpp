@@ -17,6 +17,12 @@ PointerAim aim_at(double t_s, double x_m) {
   return aim;
 }
 
+PointerAim press_at(double t_s, double x_m) {
+  PointerAim press = aim_at(t_s, x_m);
+  press.finger.push_W_n = Vec3(0, 0, -1);
+  return press;
+}
+
 /// A pointer at 0.2 m/s whose events, 125 a second, are handed over once in `frame_s`.
 double unevenness_m_per_s(double frame_s) {
   PointerPath path(aim_at(0, 0));
@@ -52,14 +58,49 @@ TEST(PointerPath, SetsOutAnewAfterARestWithoutCreepingThroughIt) {
 
 TEST(PointerPath, PressesAndLiftsInTheOrderOfTheEventsAndForgetsNone) {
   PointerPath path(aim_at(0, 0));
-  PointerAim press = aim_at(1, 0.01);
-  press.finger.push_W_n = Vec3(0, 0, -1);
-  path.put(press);
+  path.put(press_at(1, 0.01));
   path.put(aim_at(1.002, 0.01));  // a click within one frame
   int pressed = 0;
   for (int k = 0; k < 100; ++k) pressed += path.advance(dt_s).finger.push_W_n.z() < 0 ? 1 : 0;
   EXPECT_GE(pressed, 1);
   EXPECT_LE(pressed, 3);
+}
+
+// At 50 Hz a tick is longer than a click, and than the time between two; and a loop that comes late leaps.
+TEST(PointerPath, ShowsEachPressAndItsEndHoweverShort) {
+  for (const double tick_s : {1e-3, 0.02, 0.1}) {
+    for (const double rests_at_s : {1.5, 60.0}) {
+      PointerPath path(aim_at(0, 0));
+      for (int click = 0; click < 3; ++click) {
+        path.put(press_at(1 + 0.016 * click, 0.01));
+        path.put(aim_at(1.008 + 0.016 * click, 0.01));
+      }
+      path.put(aim_at(rests_at_s, 0.02));
+      int begun = 0, ended = 0;
+      bool was_pressed = false;
+      for (int k = 0; k < 3000; ++k) {
+        const bool is_pressed = path.advance(tick_s).presses();
+        begun += is_pressed && !was_pressed ? 1 : 0;
+        ended += was_pressed && !is_pressed ? 1 : 0;
+        was_pressed = is_pressed;
+      }
+      EXPECT_EQ(begun, 3) << tick_s << " " << rests_at_s;
+      EXPECT_EQ(ended, 3) << tick_s << " " << rests_at_s;
+    }
+  }
+}
+
+TEST(PointerPath, APressStaysWhereItIsUntilTheEventThatEndsIt) {
+  PointerPath path(aim_at(0, 0));
+  path.put(press_at(1, 0.01));
+  path.put(aim_at(1.05, 0.03));
+  for (int k = 0; k < 200; ++k) {
+    const PointerAim& shown = path.advance(dt_s);
+    if (shown.presses()) {
+      ASSERT_EQ(shown.finger.p_WQ.x(), 0.01);
+    }
+  }
+  EXPECT_EQ(path.advance(dt_s).finger.p_WQ.x(), 0.03);
 }
 
 TEST(PointerPath, TakesTimesThatGoBackAndMoreEventsThanItHolds) {
