@@ -1,4 +1,7 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -33,10 +36,14 @@ bool is_scene(const std::string& path) {
   return path.ends_with(".toml");
 }
 
-/// What to do with what is no mesh, but likely a recording.
+/// What to do with a file that is no mesh, but likely a recording.
 void hint_at_scene(const std::string& path) {
-  const bool is_recording = path.ends_with(".csv") || path.ends_with(".txt") || path.ends_with(".h5");
-  if (is_recording)
+  std::string ending = std::filesystem::path(path).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
+  const bool is_recording = ending == ".csv" || ending == ".tsv" || ending == ".txt" || ending == ".h5";
+  std::error_code failed;
+  if (is_recording && std::filesystem::exists(path, failed))
     print_err(
         "fingerpad: {}: a recording is looked at with a scene that follows it: write `[motion] file = ...` "
         "and check the scene\n",

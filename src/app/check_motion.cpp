@@ -71,12 +71,16 @@ std::string far_words(const MotionCheck& motion, const World& world) {
 
 }  // namespace
 
+std::string motion_name(const Scene& scene) {
+  return scene.motion.file.empty() ? "[motion]" : scene.motion.file;
+}
+
 MotionCheck look_at_motion(const Scene& scene, const LoadedMotion& motion, const World& world) {
   const FingerPath& path = motion.path;
   const double radius_m = scene.finger.radius_m;
   const NearestApproach approach = nearest_approach(world, path, radius_m);
   MotionCheck check;
-  check.name = scene.motion.file.empty() ? "[motion]" : scene.motion.file;
+  check.name = motion_name(scene);
   check.ticks = path.tick_count();
   check.rate_hz = path.rate_hz();
   check.duration_s = path.end_s() - path.start_s();

@@ -12,13 +12,16 @@ namespace fingerpad {
 
 /// A scene's motion as `check` tells it.
 struct MotionCheck {
-  std::string name;  ///< the recording's file, or "[motion]"
+  std::string name;
   long ticks = 0;
   double rate_hz = 0, duration_s = 0;
   Bounds box_W;          ///< of the finger's whole way [m]
   double nearest_m = 0;  ///< of the finger's skin at its ticks; 0 where it touches something, or may
   std::string hint;  ///< that it touches nothing, goes far beyond the parts or far into a plane; else empty
 };
+
+/// The recording's file, or "[motion]".
+std::string motion_name(const Scene& scene);
 
 /// Goes along the motion, or along so many of its ticks as tell it.
 /// @param world  what there is to touch; a part has its tree

@@ -3,10 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <optional>
 #include <set>
 #include <utility>
@@ -14,9 +11,9 @@
 #include "app/check_mesh.hpp"
 #include "app/check_motion.hpp"
 #include "app/standard_streams.hpp"
+#include "app/told_meshes.hpp"
 #include "base/count_words.hpp"
 #include "base/error.hpp"
-#include "base/file_identity.hpp"
 #include "base/number_text.hpp"
 #include "base/printable_text.hpp"
 #include "contact/overlap.hpp"
@@ -52,69 +49,6 @@ void tell_overlaps(const Scene& scene, const std::string& path, const World& wor
   }
 }
 
-/// What a scene's motions come to.
-struct MotionSums {
-  int followed = 0, odd = 0, refused = 0;
-  Json told = Json::array();    ///< each motion
-  Json wrong = Json::array();   ///< with the scene, or with a job of a set
-  std::set<std::string> notes;  ///< told: what is true of many recordings is said once
-
-  bool are_good() const { return wrong.empty(); }
-};
-
-/// On standard output, or in JSON, what there is to follow; how it was read, and what is odd about it,
-/// goes to standard error.
-/// @param whose  what is followed: the scene's motion, or one of its recordings
-void tell_motion(const Scene& scene, const std::string& path, const std::string& whose,
-                 const LoadedMotion& motion, const World& world, bool as_json, MotionSums& sums) {
-  const MotionCheck check = look_at_motion(scene, motion, world);
-  if (!as_json) write_stream(stdout, motion_text(check, path));
-  sums.told.push_back(motion_json(check, motion.warnings));
-  for (const std::string& note : motion.notes) {
-    const std::string what =
-        note.starts_with(scene.motion.file) ? note.substr(scene.motion.file.size()) : note;
-    if (sums.notes.insert(what).second) print_err("fingerpad: {}\n", note);
-  }
-  for (const std::string& warning : motion.warnings) print_err("fingerpad: warning: {}\n", warning);
-  if (!check.hint.empty()) print_err("fingerpad: warning: {}: {}\n", whose, check.hint);
-  ++sums.followed;
-  sums.odd += motion.warnings.empty() && check.hint.empty() ? 0 : 1;
-}
-
-/// Refuses it, or tells of it, as replay would.
-void look_at_finger(const Scene& scene, const World& world) {
-  refuse_huge_finger(world, scene);
-  if (const std::string hint = finger_hint(world, scene); !hint.empty())
-    print_err("fingerpad: warning: {}\n", hint);
-}
-
-/// Refuses, or tells, what replay would before its first tick.
-void look_at_motion_of(const Scene& scene, const std::string& path, const std::string& whose,
-                       const World& world, bool as_json, MotionSums& sums) {
-  refuse_missing_inputs(scene);
-  std::optional<LoadedMotion> motion;
-  if (scene.motion.given()) motion = load_motion(scene);
-  if (scene.parts.empty() && !as_json)
-    print_out("{}: can be touched\n  {} and no mesh: there is none to look at\n", path,
-              count_words(scene.planes.size(), "plane"));
-  if (motion)
-    tell_motion(scene, path, whose, *motion, world, as_json, sums);
-  else if (!as_json)
-    print_out("{}: has no [motion]: to touch and to view, not to replay\n", path);
-}
-
-/// What tells a file from another, by whatever path; of one that is not there, the path.
-std::string file_words(const std::string& path) {
-  std::error_code failed;
-  return file_identity(path).value_or(std::filesystem::weakly_canonical(path, failed).string());
-}
-
-/// Which mesh a part is, and how it is taken.
-std::string mesh_keys(const PartEntry& entry) {
-  return fmt::format("{}\n{} {} {}\n", file_words(entry.mesh_path), entry.metres_per_unit, entry.crease_deg,
-                     entry.repair);
-}
-
 /// What a set says of a job's motion, by which its motions differ.
 std::string motion_keys(const SceneJob& job) {
   const MotionSettings& motion = job.scene.motion;
@@ -135,217 +69,208 @@ std::string motion_words(const std::string& path, const SceneJob& job) {
   return file.empty() || !is_of_set ? path : path + ": " + printable(file);
 }
 
-/// What is wrong with one of a set's jobs does not keep the others from being told.
-void refuse_job(const SceneJob& job, const std::string& error, MotionSums& sums) {
-  print_err("fingerpad: error: {}\n", error);
-  sums.wrong.push_back({{"job", job.number}, {"error", error}});
-}
+/// A look at all that a scene file says, job by job.
+class SceneLook {
+ public:
+  SceneLook(const std::string& path, bool as_json, Json& report)
+      : path_(path), as_json_(as_json), report_(report), meshes_(as_json, report) {}
 
-void refuse_motion(const SceneJob& job, const std::string& error, MotionSums& sums) {
-  ++sums.refused;
-  refuse_job(job, error, sums);
-  sums.told.push_back(
-      {{"name", job.scene.motion.file}, {"job", job.number}, {"warnings", Json::array()}, {"error", error}});
-}
-
-/// The meshes of a set that were told: whether they can be touched, and which of the report's objects they
-/// are.
-struct ToldMesh {
-  bool touchable;
-  std::size_t object;
-};
-using ToldMeshes = std::map<std::string, ToldMesh>;
-
-CheckedMesh checked(const PartEntry& entry) {
-  ImportOptions how;
-  how.metres_per_unit = entry.metres_per_unit;
-  how.crease_rad = entry.crease_deg * std::numbers::pi / 180;
-  how.repair = entry.repair;
-  return checked(entry.mesh_path, how);
-}
-
-bool can_be_touched(const SceneJob& job, const ToldMeshes& told) {
-  return std::all_of(job.scene.parts.begin(), job.scene.parts.end(), [&told](const PartEntry& entry) {
-    const auto mesh = told.find(mesh_keys(entry));
-    return mesh != told.end() && mesh->second.touchable;
-  });
-}
-
-std::string part_keys(const SceneJob& job) {
-  std::string keys;
-  for (const PartEntry& entry : job.scene.parts) keys += mesh_keys(entry);
-  return keys;
-}
-
-/// Of a set's further jobs: those that are refused by what the scene says, fingers that are too large for the
-/// parts of `first`, and each motion once, as if these were there to touch.
-void look_at_further_jobs(const SceneFile& file, const SceneJob& first, const std::string& path,
-                          const World& world, const ToldMeshes& told, bool as_json, MotionSums& sums) {
-  std::set<std::string> seen = {motion_keys(first)}, errors;
-  std::set<double> radii = {first.scene.finger.radius_m};
-  const std::string parts = part_keys(first);
-  for (const SceneJob& job : file.jobs) {
-    if (!job.error.empty()) {
-      if (errors.insert(job.error).second)
-        refuse_job(job, fmt::format("{}: job {}: {}", path, job.number, job.error), sums);
-      continue;
+  bool go() {
+    const SceneFile file = read_scene_file(path_);
+    const auto is_good = [](const SceneJob& job) { return job.error.empty(); };
+    if (std::none_of(file.jobs.begin(), file.jobs.end(), is_good))
+      throw Error(ErrorKind::refused, "", file.jobs.front().error);
+    is_set_ = file.jobs.size() > 1;
+    if (is_set_)
+      print_err("fingerpad: {}: a set of {} jobs: each mesh and each motion is looked at once\n", path_,
+                file.jobs.size());
+    for (const SceneJob& job : file.jobs) {
+      if (is_good(job))
+        look_at(job);
+      else if (errors_.insert(job.error).second)
+        refuse(job, fmt::format("{}: job {}: {}", path_, job.number, job.error));
     }
-    if (!can_be_touched(job, told)) continue;
+    if (is_set_)
+      for (const SceneJob& job : file.jobs)
+        if (is_good(job)) read_motion_of(job);
+    return end();
+  }
+
+ private:
+  void look_at(const SceneJob& job) {
+    const std::size_t before = report_.size();
+    const bool can_be_touched = meshes_.look_at(job.scene);
+    for (std::size_t i = before; i < report_.size(); ++i)
+      report_[i].update({{"overlaps", Json::array()}, {"motions", Json::array()}});
+    if (!can_be_touched) return;
+    std::optional<World> world;
+    const bool is_first = !std::exchange(has_first_, true);
+    if (is_first) {
+      world = meshes_.world(job.scene);
+      look_at_overlaps(job, *world);
+    }
+    look_at_finger(job);
+    look_at_motion(job, is_first, std::move(world));
+  }
+
+  /// The first job whose parts can all be touched stands for the others.
+  void look_at_overlaps(const SceneJob& job, const World& world) {
+    if (as_json_) of_first_ = meshes_.objects(job.scene);
+    Objects objects;
+    if (as_json_ && of_first_.empty()) objects = {&own_};
+    for (const std::size_t i : of_first_) objects.push_back(&report_[i]);
+    tell_overlaps(job.scene, path_, world, objects);
+  }
+
+  /// One that is too large for the parts that it is to touch is refused, or told, as by replay.
+  void look_at_finger(const SceneJob& job) {
+    const std::string keys = fmt::format("{} {}", part_keys(job.scene), job.scene.finger.radius_m);
+    if (!fingers_.insert(keys).second) return;
+    const World world = meshes_.world_in_words(job.scene);
     try {
-      if (part_keys(job) == parts && radii.insert(job.scene.finger.radius_m).second)
-        look_at_finger(job.scene, world);
+      refuse_huge_finger(world, job.scene);
     } catch (const Error& error) {
-      refuse_job(job, error.what(), sums);
+      if (!is_set_) throw;
+      return refuse(job, error.what());
     }
-    if (!job.scene.motion.given() || !seen.insert(motion_keys(job)).second) continue;
+    if (const std::string hint = finger_hint(world, job.scene); !hint.empty())
+      print_err("fingerpad: warning: {}\n", hint);
+  }
+
+  void look_at_motion(const SceneJob& job, bool is_first, std::optional<World> world) {
+    const bool is_given = job.scene.motion.given();
+    if (!is_first && (!is_given || motions_.contains(motion_keys(job)))) return;
+    motions_.insert(motion_keys(job));
     try {
       refuse_missing_inputs(job.scene);
-      tell_motion(job.scene, path, motion_words(path, job), load_motion(job.scene), world, as_json, sums);
+      std::optional<LoadedMotion> motion;
+      if (is_given) motion = load_motion(job.scene);
+      if (is_first && !as_json_) tell_what_is_missing(job.scene);
+      if (motion) tell_motion(job, *motion, world ? *world : meshes_.world(job.scene));
     } catch (const Error& error) {
-      refuse_motion(job, error.what(), sums);
+      if (!is_set_) throw;
+      refuse_motion(job, error.what());
     }
   }
-}
 
-/// A scene's parts, each as the scene takes it and where it places it; tells those that no job before had.
-/// @param objects  which of the report's are the parts'
-/// @returns nothing where one cannot be touched
-std::optional<World> look_at_parts(const Scene& scene, bool as_json, Json& report, ToldMeshes& told,
-                                   std::vector<std::size_t>& objects) {
-  const ToldMeshes before = told;
-  bool all_touchable = true;
-  World world;
-  objects.clear();
-  for (const PartEntry& entry : scene.parts) {
-    const std::string keys = mesh_keys(entry);
-    const auto known = before.find(keys);
-    if (known != before.end() && !known->second.touchable) {
-      all_touchable = false;
-      continue;
-    }
-    const CheckedMesh mesh = checked(entry);
-    if (known == before.end()) {
-      const std::size_t object = report.size();
-      told[keys] = {tell_mesh(mesh, as_json, report), object};
-    }
-    all_touchable &= told[keys].touchable;
-    objects.push_back(told[keys].object);
-    world.verdicts.push_back(mesh.imported.verdict);
-    Surface& surface = world.surfaces.emplace_back();
-    surface.mesh = entry.mesh;
-    surface.part = mesh.imported.part;
-    surface.tree = mesh.tree;
-    surface.p_WP = entry.position_m;
-    surface.R_WP = entry.rotation;
+  void tell_what_is_missing(const Scene& scene) const {
+    if (scene.parts.empty())
+      print_out("{}: can be touched\n  {} and no mesh: there is none to look at\n", path_,
+                count_words(scene.planes.size(), "plane"));
+    if (!scene.motion.given()) print_out("{}: has no [motion]: to touch and to view, not to replay\n", path_);
   }
-  if (!all_touchable) return std::nullopt;
-  for (const PlaneEntry& plane : scene.planes) {
-    Surface& surface = world.surfaces.emplace_back();
-    surface.plane_point_W = plane.point_m;
-    surface.plane_normal_W = plane.normal;
-  }
-  return world;
-}
 
-/// Of a set: each mesh that no job before had.
-void look_at_further_meshes(const SceneFile& file, bool as_json, Json& report, ToldMeshes& told) {
-  for (const SceneJob& job : file.jobs) {
-    for (const PartEntry& entry : job.scene.parts) {
-      const std::string keys = mesh_keys(entry);
-      if (!job.error.empty() || told.contains(keys)) continue;
-      const std::size_t object = report.size();
-      told[keys] = {tell_mesh(checked(entry), as_json, report), object};
+  /// Of a motion all of whose jobs have a mesh that cannot be touched: whether it can be read.
+  void read_motion_of(const SceneJob& job) {
+    const Scene& scene = job.scene;
+    if (!scene.motion.given() || scene.motion.laid || !motions_.insert(motion_keys(job)).second) return;
+    try {
+      const LoadedMotion motion = load_motion(scene);
+      tell_reading(motion, scene);
+      if (!as_json_)
+        print_out("{}: can be read; no job that follows it has parts that can all be touched\n",
+                  motion_words(path_, job));
+      ++followed_;
+      odd_ += motion.warnings.empty() ? 0 : 1;
+      told_.push_back({{"name", motion_name(scene)}, {"warnings", motion.warnings}});
+    } catch (const Error& error) {
+      refuse_motion(job, error.what());
     }
   }
-}
 
-/// What a set's jobs, and what they touch, come to.
-void tell_sums(const std::string& path, const ToldMeshes& told, int refused_meshes, const MotionSums& sums) {
-  const int meshes = static_cast<int>(told.size()), motions = sums.followed + sums.refused;
-  if (meshes > 1)
-    print_out("{}: {} meshes: {} can be touched, {} refused\n", path, meshes, meshes - refused_meshes,
-              refused_meshes);
-  if (motions > 1)
-    print_out("{}: {} motions: {} can be followed, {} of these with a warning, {} refused\n", path, motions,
-              sums.followed, sums.odd, sums.refused);
-}
+  /// On standard output, or in JSON, what there is to follow; how it was read, and what is odd about it,
+  /// goes to standard error.
+  void tell_motion(const SceneJob& job, const LoadedMotion& motion, const World& world) {
+    const MotionCheck check = fingerpad::look_at_motion(job.scene, motion, world);
+    if (!as_json_) write_stream(stdout, motion_text(check, path_));
+    told_.push_back(motion_json(check, motion.warnings));
+    tell_reading(motion, job.scene);
+    if (!check.hint.empty()) print_err("fingerpad: warning: {}: {}\n", motion_words(path_, job), check.hint);
+    ++followed_;
+    odd_ += motion.warnings.empty() && check.hint.empty() ? 0 : 1;
+  }
+
+  /// What is true of many recordings is said once.
+  void tell_reading(const LoadedMotion& motion, const Scene& scene) {
+    for (const std::string& note : motion.notes) {
+      const std::string what =
+          note.starts_with(scene.motion.file) ? note.substr(scene.motion.file.size()) : note;
+      if (notes_.insert(what).second) print_err("fingerpad: {}\n", note);
+    }
+    for (const std::string& warning : motion.warnings) print_err("fingerpad: warning: {}\n", warning);
+  }
+
+  /// What is wrong with one of a set's jobs does not keep the others from being told.
+  void refuse(const SceneJob& job, const std::string& error) {
+    print_err("fingerpad: error: {}\n", error);
+    wrong_.push_back({{"job", job.number}, {"error", error}});
+  }
+
+  void refuse_motion(const SceneJob& job, const std::string& error) {
+    ++refused_motions_;
+    refuse(job, error);
+    told_.push_back({{"name", motion_name(job.scene)},
+                     {"job", job.number},
+                     {"warnings", Json::array()},
+                     {"error", error}});
+  }
+
+  /// Tells what all came to; whether nothing was refused.
+  bool end() {
+    const bool is_good = wrong_.empty(), all_good = is_good && meshes_.refused() == 0;
+    Objects objects;
+    for (const std::size_t i : of_first_) objects.push_back(&report_[i]);
+    const bool is_of_planes = has_first_ && of_first_.empty();
+    if (is_of_planes) objects = {&own_};
+    for (Json* object : objects) {
+      (*object)["motions"] = told_;
+      const auto is_followed = [](const Json& motion) { return !motion.contains("error"); };
+      const auto one = std::find_if(told_.begin(), told_.end(), is_followed);
+      if (one != told_.end()) (*object)["motion"] = *one;
+    }
+    if (is_set_ && !as_json_) tell_sums();
+    if (!all_good) {
+      own_["touchable"] = false;
+      own_["error"] = is_good ? "a mesh of its jobs is refused" : wrong_[0]["error"];
+      own_["refused"] = wrong_;
+    }
+    if (as_json_ && (is_of_planes || !is_good)) report_.push_back(own_);
+    return all_good;
+  }
+
+  void tell_sums() const {
+    const int motions = followed_ + refused_motions_;
+    if (meshes_.count() > 1)
+      print_out("{}: {} meshes: {} can be touched, {} refused\n", path_, meshes_.count(),
+                meshes_.count() - meshes_.refused(), meshes_.refused());
+    if (motions > 1)
+      print_out("{}: {} motions: {} can be followed, {} of these with a warning, {} refused\n", path_,
+                motions, followed_, odd_, refused_motions_);
+  }
+
+  std::string path_;
+  bool as_json_, is_set_ = false, has_first_ = false;
+  Json& report_;
+  ToldMeshes meshes_;
+  std::vector<std::size_t> of_first_;                 ///< the report's objects of the first job's parts
+  std::set<std::string> errors_, fingers_, motions_;  ///< that were looked at
+  std::set<std::string> notes_;                       ///< that were told
+  int followed_ = 0, odd_ = 0, refused_motions_ = 0;
+  Json told_ = Json::array();   ///< each motion
+  Json wrong_ = Json::array();  ///< beside a mesh, with the scene or with a job of a set
+  /// The scene's own object: of one that has planes alone, or with which something is wrong beside a mesh.
+  Json own_ = {{"file", path_},
+               {"touchable", true},
+               {"error", ""},
+               {"warnings", Json::array()},
+               {"overlaps", Json::array()},
+               {"motions", Json::array()}};
+};
 
 }  // namespace
 
 bool check_scene(const std::string& path, bool as_json, Json& report) {
-  const SceneFile file = read_scene_file(path);
-  const auto is_good = [](const SceneJob& job) { return job.error.empty(); };
-  if (std::none_of(file.jobs.begin(), file.jobs.end(), is_good))
-    throw Error(ErrorKind::refused, "", file.jobs.front().error);
-  const bool is_set = file.jobs.size() > 1;
-  if (is_set)
-    print_err("fingerpad: {}: a set of {} jobs: each mesh and each motion is looked at once\n", path,
-              file.jobs.size());
-  const std::size_t before = report.size();
-  ToldMeshes told;
-  std::vector<std::size_t> of_parts;
-  std::optional<World> world;
-  const SceneJob* first = nullptr;  // whose parts can all be touched
-  for (const SceneJob& job : file.jobs) {
-    if (world || !job.error.empty()) continue;
-    first = &job;
-    world = look_at_parts(job.scene, as_json, report, told, of_parts);
-  }
-  look_at_further_meshes(file, as_json, report, told);
-  const auto refused_meshes = static_cast<int>(
-      std::count_if(told.begin(), told.end(), [](const auto& mesh) { return !mesh.second.touchable; }));
-  for (std::size_t i = before; i < report.size(); ++i) {
-    report[i]["overlaps"] = Json::array();
-    report[i]["motions"] = Json::array();
-  }
-  MotionSums sums;
-  if (!world) {
-    if (is_set)
-      print_err("fingerpad: {}: no job's parts can be touched: its motions are not looked at\n", path);
-    return false;
-  }
-  const Scene& scene = first->scene;
-  // The parts' objects, or one for a scene of planes.
-  Json own = {{"file", path},
-              {"touchable", true},
-              {"error", ""},
-              {"warnings", Json::array()},
-              {"overlaps", Json::array()},
-              {"motions", Json::array()}};
-  Objects objects;
-  if (as_json && scene.parts.empty()) objects = {&own};
-  if (as_json)
-    for (const std::size_t i : of_parts) objects.push_back(&report[i]);
-  tell_overlaps(scene, path, *world, objects);
-  try {
-    look_at_finger(scene, *world);
-  } catch (const Error& error) {
-    if (!is_set) throw;
-    refuse_job(*first, error.what(), sums);
-  }
-  try {
-    look_at_motion_of(scene, path, motion_words(path, *first), *world, as_json, sums);
-  } catch (const Error& error) {
-    if (!is_set) throw;
-    refuse_motion(*first, error.what(), sums);
-  }
-  look_at_further_jobs(file, *first, path, *world, told, as_json, sums);
-  for (Json* object : objects) {
-    (*object)["motions"] = sums.told;
-    const auto is_told = [](const Json& motion) { return !motion.contains("error"); };
-    const auto one = std::find_if(sums.told.begin(), sums.told.end(), is_told);
-    if (one != sums.told.end()) (*object)["motion"] = *one;
-  }
-  if (is_set && !as_json) tell_sums(path, told, refused_meshes, sums);
-  const bool all_good = refused_meshes == 0 && sums.are_good();
-  // What is wrong with a scene, beside its meshes.
-  if (!all_good) {
-    own["touchable"] = false;
-    own["error"] = sums.are_good() ? "a mesh of its jobs is refused" : sums.wrong[0]["error"];
-    own["refused"] = sums.wrong;
-  }
-  if (as_json && (scene.parts.empty() || !sums.are_good())) report.push_back(own);
-  return all_good;
+  return SceneLook(path, as_json, report).go();
 }
 
 }  // namespace fingerpad

@@ -414,7 +414,7 @@ TEST(Check, TellsWhatLooksAtARecording) {
   const ShellResult told = test::fingerpad("check m.csv", folder);
   EXPECT_EQ(told.exit_code, 3);
   EXPECT_THAT(told.err, HasSubstr("m.csv: a recording is looked at with a scene that follows it"));
-  EXPECT_THAT(test::fingerpad("check nowhere.stl", folder).err, Not(HasSubstr("recording")));
+  EXPECT_THAT(test::fingerpad("check nowhere.csv", folder).err, Not(HasSubstr("recording")));
 }
 
 TEST(Check, LooksAtAllMeshesOfASet) {
@@ -467,6 +467,90 @@ TEST(Check, LooksAtAllMeshesOfASet) {
   const ShellResult missing = check("\"box.stl\", \"nowhere.stl\"", "");
   EXPECT_EQ(missing.exit_code, 3);
   EXPECT_THAT(missing.err, HasSubstr("nowhere.stl"));
+}
+
+TEST(Check, TellsAFingerThatIsTooLargeForAFurtherMeshOfASet) {
+  const fs::path folder = folder_with_inputs();
+  std::ofstream(folder / "huge.stl") << test::text_stl(test::box_soup(Vec3(2000, 2000, 2000)));
+  std::ofstream(folder / "s.toml") << "[[part]]\nmesh = \"huge.stl\"\n"
+                                      "[[set]]\nmesh = [\"huge.stl\", \"box.stl\"]\n"
+                                      "finger.radius_m = [0.001, 0.6]\n";
+  const ShellResult told = test::fingerpad("check s.toml", folder);
+  EXPECT_EQ(told.exit_code, 3);
+  EXPECT_THAT(told.err, HasSubstr("a finger of radius_m = 0.6"));
+}
+
+TEST(Check, OfASetWithoutAGoodMeshTellsItsJobsAndMotionsAllTheSame) {
+  const fs::path folder = folder_with_inputs();
+  for (const char* bad : {"one.stl", "two.stl"})
+    std::ofstream(folder / bad) << "solid nothing\nendsolid nothing\n";
+  std::ofstream(folder / "read.csv") << "t_s,x_m,y_m,z_m\n0,0,0,0.1\n0.1,0,0,0\n";
+  std::ofstream(folder / "s.toml") << "[[part]]\nmesh = \"one.stl\"\n"
+                                      "[[set]]\nmesh = [\"one.stl\", \"two.stl\"]\n"
+                                      "motion = [\"read.csv\", \"nowhere.csv\"]\n"
+                                      "contact.force_tolerance = [0.03, -1]\n";
+  const ShellResult told = test::fingerpad("check s.toml", folder);
+  EXPECT_EQ(told.exit_code, 3);
+  EXPECT_THAT(told.err, HasSubstr("force_tolerance"));
+  EXPECT_THAT(told.err, HasSubstr("nowhere.csv"));
+  EXPECT_THAT(told.out, HasSubstr("s.toml: read.csv: can be read"));
+  EXPECT_THAT(told.out, HasSubstr("s.toml: 2 meshes: 0 can be touched, 2 refused\n"));
+  const auto report = nlohmann::json::parse(test::fingerpad("check s.toml --json", folder).out);
+  ASSERT_EQ(report.size(), 3u);
+  EXPECT_EQ(report[2]["refused"].size(), 2u);
+}
+
+TEST(Check, OfAMeshThatStandsInASceneTwiceKeepsItsPartsApart) {
+  const fs::path folder = folder_with_inputs();
+  std::ofstream(folder / "bad.stl") << "solid nothing\nendsolid nothing\n";
+  std::ofstream(folder / "touches.csv") << "t_s,x_m,y_m,z_m\n0,0,0,0.1\n0.1,0,0,0\n";
+  fs::copy_file(folder / "box.stl", folder / "other.stl");
+  std::ofstream(folder / "s.toml") << "[[part]]\nmesh = \"bad.stl\"\nposition_m = [3, 0, 0]\n"
+                                      "[[part]]\nmesh = \"box.stl\"\n[[part]]\nmesh = \"box.stl\"\n"
+                                      "position_m = [0.001, 0, 0]\n[motion]\nfile = \"touches.csv\"\n"
+                                      "[[set]]\npart.mesh = [\"bad.stl\", \"other.stl\"]\n";
+  const auto report = nlohmann::json::parse(test::fingerpad("check s.toml --json", folder).out);
+  ASSERT_EQ(report.size(), 4u);
+  for (const int part : {1, 2}) {
+    EXPECT_EQ(report[part]["file"], "box.stl");
+    ASSERT_EQ(report[part]["overlaps"].size(), 1u) << part;
+    EXPECT_EQ(report[part]["overlaps"][0]["with"], part == 1 ? "part 3 (box.stl)" : "part 2 (box.stl)");
+    EXPECT_EQ(report[part]["motions"].size(), 1u) << part;
+  }
+}
+
+TEST(Check, HoldsEachMotionThatIsLaidAgainstThePartThatItIsLaidOn) {
+  const fs::path folder = folder_with_inputs();
+  std::ofstream(folder / "big.stl") << test::text_stl(test::box_soup(Vec3(900, 900, 900)));
+  std::ofstream(folder / "s.toml") << "[[part]]\nmesh = \"box.stl\"\n[finger]\nradius_m = 0.001\n"
+                                      "[motion]\nkind = \"on_surface\"\nsize_m = 0.004\n"
+                                      "depth_m = 0.0002\nspeed_m_per_s = 0.01\n"
+                                      "[[set]]\nmesh = [\"box.stl\", \"big.stl\"]\n";
+  const ShellResult told = test::fingerpad("check s.toml", folder);
+  EXPECT_EQ(told.exit_code, 0) << told.err;
+  EXPECT_THAT(told.out, HasSubstr("s.toml: 2 motions: 2 can be followed, 0 of these with a warning"));
+  EXPECT_THAT(told.err, Not(HasSubstr("never touches"))) << told.err;
+}
+
+TEST(Check, TakesOneFileByTwoEndingsForTwo) {
+  const fs::path folder = folder_with_inputs();
+  fs::create_hard_link(folder / "box.stl", folder / "box.off");
+  std::ofstream(folder / "s.toml") << "[[part]]\nmesh = \"box.stl\"\n"
+                                      "[[set]]\nmesh = [\"box.stl\", \"box.off\"]\n";
+  const ShellResult told = test::fingerpad("check s.toml", folder);
+  EXPECT_EQ(told.exit_code, 3);
+  EXPECT_THAT(told.err, HasSubstr("box.off"));
+}
+
+TEST(Check, SaysAllInTheOrderInWhichItIsSaid) {
+  const fs::path folder = folder_with_inputs();
+  std::ofstream(folder / "bad.stl") << "solid nothing\nendsolid nothing\n";
+  const ShellResult told = test::fingerpad("check box.stl bad.stl box.stl 2>&1", folder);
+  const std::size_t first = told.out.find("box.stl: can be touched"),
+                    error = told.out.find("fingerpad: error:");
+  ASSERT_NE(error, std::string::npos) << told.out;
+  EXPECT_LT(first, error);
+  EXPECT_LT(error, told.out.rfind("box.stl: can be touched"));
 }
 
 TEST(Refusals, OfASubcommandNameTheNearest) {
