@@ -198,8 +198,9 @@ void tell_doubts(const std::vector<BatchJob>& jobs) {
   }
   if (inside.count > 0) {
     print_err(
-        "fingerpad: warning: {} of the motions start inside of a part, or where the finger does not fit; the "
-        "proxy was put at the nearest place outside, where there is one (inside_starts in summary.csv)\n",
+        "fingerpad: warning: {} of the motions start inside of a part, or where the finger does not fit: it "
+        "is "
+        "pushed to the nearest place outside, where there is one (inside_starts in summary.csv)\n",
         inside.count);
   }
   if (coarse.count == 0) return;

@@ -37,6 +37,9 @@ struct ContactMethodEntry {
   bool holds_several = false;
   /// Whether normals with a surface of their own (`curved`) are touched there; else they only shade.
   bool touches_own_surface = false;
+  /// Whether a tick's work is bounded, so that what holds the finger may be told a tick or more late
+  /// (Contact::behind).
+  bool may_lag = false;
   /// Whether a finger deep in a rounding is held by a facet for longer than the facet is the nearest.
   bool lags_on_facets = false;
   /// Why this method cannot keep a scene's forces on a part, in words that follow "because" where another is

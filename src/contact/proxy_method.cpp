@@ -50,6 +50,7 @@ ContactMethodEntry proxy_method() noexcept {
               "holds thin walls, knife edges, corners, open and badly wound meshes, several surfaces at once",
           .starts_outside = true,
           .holds_several = true,
+          .may_lag = true,
           .lags_on_facets = true,
           .fails = proxy_fails,
           .make = [](std::vector<PlacedSurface> surfaces, double radius_m,

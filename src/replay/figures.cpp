@@ -86,21 +86,30 @@ void Figures::observe_step(const TickRecord& record) noexcept {
   last_normal_W_n_ = normal_W_n;
 }
 
+/// A tick's force and torque are held until the next, as a device holds what it was sent.
+void Figures::observe_work(const TickRecord& record) noexcept {
+  if (totals_.ticks > 0) {
+    const Vec3 moved_m = record.p_WQ - last_p_WQ_;
+    const double turned_j = last_torque_W_n_m_.dot(record.turn_W);
+    totals_.friction_work_j += last_friction_W_n_.dot(moved_m) + turned_j;
+    given_j_ += last_force_W_n_.dot(moved_m) + turned_j;
+  } else {
+    given_j_ = -stored_j(record);
+  }
+  totals_.energy_made_j = std::max(totals_.energy_made_j, given_j_);
+  last_force_W_n_ = record.force_W_n;
+  last_friction_W_n_ = record.friction_W_n;
+  last_torque_W_n_m_ = record.torque_W_n_m;
+  last_p_WQ_ = record.p_WQ;
+}
+
 void Figures::observe(const TickRecord& record) noexcept {
   observe_phase(record);
   observe_step(record);
   totals_.pop_throughs.observe(record);
   if (record.residual_W_n.allFinite()) totals_.residual.observe(record);
   totals_.nonfinite_ticks += record.force_W_n.allFinite() ? 0 : 1;
-  if (totals_.ticks > 0) totals_.friction_work_j += record.friction_W_n.dot(record.p_WQ - last_p_WQ_);
-  if (totals_.ticks > 0) {
-    given_j_ += last_force_W_n_.dot(record.p_WQ - last_p_WQ_);
-  } else {
-    given_j_ = -stored_j(record);
-  }
-  totals_.energy_made_j = std::max(totals_.energy_made_j, given_j_);
-  last_force_W_n_ = record.force_W_n;
-  last_p_WQ_ = record.p_WQ;
+  observe_work(record);
   totals_.remedied_ticks += record.remedied ? 1 : 0;
   totals_.inside_starts += record.started_inside ? 1 : 0;
   totals_.unsettled_ticks += record.unsettled ? 1 : 0;

@@ -39,6 +39,7 @@ class Figures {
  private:
   void observe_phase(const TickRecord& record) noexcept;
   void observe_step(const TickRecord& record) noexcept;
+  void observe_work(const TickRecord& record) noexcept;
 
   RunTotals totals_;
   long tooth_ticks_ = 0;
@@ -49,7 +50,7 @@ class Figures {
   // Passivity observer (Hannaford & Ryu 2002): what the held forces have given to the finger so far; its most
   // is what they have made. A loop that began out of contact stores nothing, so whatever it gives on balance
   // it has made; one whose first tick is in contact begins with what the surfaces' springs store there.
-  Vec3 last_force_W_n_ = Vec3::Zero();
+  Vec3 last_force_W_n_ = Vec3::Zero(), last_friction_W_n_ = Vec3::Zero(), last_torque_W_n_m_ = Vec3::Zero();
   double given_j_ = 0;
   Vec3 last_normal_W_n_ = Vec3::Zero();
 };

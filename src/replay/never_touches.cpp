@@ -81,10 +81,11 @@ std::string never_touches(const World& world, const FingerPath& path, const Near
 }
 
 std::string pressed_too_deep(const Scene& scene, double depth_m) {
-  constexpr double deepest_m = 0.1;
+  constexpr double deepest_m = 0.03;
   if (scene.motion.file.empty() || !(depth_m > deepest_m)) return "";
   return fmt::format("the finger is pressed {} mm deep, which no finger is: check [motion] unit{}",
-                     rounded_text(mm_per_m * depth_m, 4), scene.parts.empty() ? "" : " and [[part]] unit");
+                     rounded_text(mm_per_m * depth_m, 4),
+                     scene.parts.empty() ? "" : " and [[part]] unit (or is it held at a wall on its way?)");
 }
 
 }  // namespace fingerpad

@@ -9,7 +9,8 @@
 namespace fingerpad {
 namespace {
 
-/// Cosines of 60 and of 120 degrees.
+/// Cosines. A push goes along the motion within 60 degrees of it, and another is the same within 60 degrees;
+/// one that is off by more than 120 has turned round.
 constexpr double push_along_motion = 0.5, same_push = 0.5, turned_round = -0.5;
 constexpr double most_depth_per_motion = 3;
 /// The guide's steps along a way, each with all the time it needs to come to rest [s].

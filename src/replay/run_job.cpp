@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "base/input_file.hpp"
 #include "base/number_text.hpp"
+#include "contact/contact_method_table.hpp"
 #include "replay/disk_room.hpp"
 #include "replay/hard_press.hpp"
 #include "replay/missing_inputs.hpp"
@@ -26,31 +27,6 @@ namespace {
 
 bool same_run(const TraceInfo& a, const TraceInfo& b) {
   return run_digest(a, TraceFormat::hdf5).whole == run_digest(b, TraceFormat::hdf5).whole;
-}
-
-/// The figures of a whole HDF5 trace of this very run, counted again from its rows.
-std::optional<std::vector<double>> recounted(const std::string& path, const TraceInfo& info,
-                                             const Scene& scene, const std::shared_ptr<const World>& world,
-                                             const FingerPath& motion) {
-  // Rows that are not there cannot be counted.
-  if (!info.columns.empty() || info.every != 1) return std::nullopt;
-  if (!std::filesystem::is_regular_file(path) || scene.friction.settings.remedy != Remedy::none)
-    return std::nullopt;
-  Trace trace;
-  try {
-    if (check_seal(path) != Seal::whole) return std::nullopt;
-    trace = read_trace(path);
-  } catch (const Error&) {
-    return std::nullopt;  // whatever stands there is no trace of ours: it is made again
-  }
-  if (!trace.complete || static_cast<long>(trace.rows.size()) != motion.tick_count() ||
-      !same_run(trace.info, info))
-    return std::nullopt;
-  if (!trace.rows.empty())
-    trace.rows.front().started_inside = ClosedLoop(world, scene, motion).next().started_inside;
-  Figures figures(world, scene.finger.radius_m);
-  for (const TickRecord& row : trace.rows) figures.observe(row);
-  return figures.values();
 }
 
 /// Of a block that begins at tick `first` the rows that are written.
@@ -103,6 +79,43 @@ RunEnd run(const Scene& scene, const std::shared_ptr<const World>& world, const 
   }
   share.finish();
   return {figures.values(), writer ? writer->finish() : FileSum()};
+}
+
+/// Whether a whole trace of a run may be kept for what it says of itself: its rows are all there, and nothing
+/// acted that no trace tells.
+bool is_countable(const TraceInfo& info, const Scene& scene) {
+  return info.columns.empty() && info.every == 1 && scene.friction.settings.remedy == Remedy::none;
+}
+
+/// Whether the rows tell all figures: no trace has where a proxy lagged, and what a turning finger's torque
+/// was.
+bool tell_all(const TraceInfo& info, const FingerPath& motion) {
+  const ContactMethodEntry* method = find_contact_method(info.contact_method);
+  return info.changes.empty() && (method == nullptr || !method->may_lag) && !motion.turns();
+}
+
+/// The figures of a whole HDF5 trace of this very run, counted again from its rows; where these do not tell
+/// all, of a run that writes nothing. @pre it is countable
+std::optional<std::vector<double>> recounted(const std::string& path, const TraceInfo& info,
+                                             const Scene& scene, const std::shared_ptr<const World>& world,
+                                             const FingerPath& motion, ContactStore* contacts) {
+  if (!std::filesystem::is_regular_file(path)) return std::nullopt;
+  Trace trace;
+  try {
+    if (check_seal(path) != Seal::whole) return std::nullopt;
+    trace = read_trace(path);
+  } catch (const Error&) {
+    return std::nullopt;  // whatever stands there is no trace of ours: it is made again
+  }
+  if (!trace.complete || static_cast<long>(trace.rows.size()) != motion.tick_count() ||
+      !same_run(trace.info, info))
+    return std::nullopt;
+  if (!tell_all(info, motion)) return run(scene, world, motion, info, {}, contacts).figures;
+  if (!trace.rows.empty())
+    trace.rows.front().started_inside = ClosedLoop(world, scene, motion).next().started_inside;
+  Figures figures(world, scene.finger.radius_m);
+  for (const TickRecord& row : trace.rows) figures.observe(row);
+  return figures.values();
 }
 
 /// What is told, and kept in the summary.
@@ -173,8 +186,9 @@ JobResult run_job(const Scene& scene_as_written, MeshStore& meshes, MotionStore&
     auto figures = proven_figures(output.path, digest);
     // What a trace says of itself tells the program by its version alone; a proof knows better.
     const bool is_others = proves_another_run(output.path, digest);
-    if (!figures && !is_others && output.format == TraceFormat::hdf5) {
-      figures = recounted(output.path, info, scene, world, path);
+    const bool counts = output.format == TraceFormat::hdf5 && is_countable(info, scene);
+    if (!figures && !is_others && counts) {
+      figures = recounted(output.path, info, scene, world, path, contacts);
       if (figures) write_proof(output.path, digest, *figures);
     }
     if (figures) {
@@ -184,7 +198,7 @@ JobResult run_job(const Scene& scene_as_written, MeshStore& meshes, MotionStore&
       warn_of_run(scene, *world, path, output.name, result);
       return result;
     }
-    result.made_again = why_not_kept(output.path, digest, info.scene_text);
+    result.made_again = why_not_kept(output.path, digest, info.scene_text, counts);
   }
 
   const RunEnd end = run(scene, world, path, info, output, contacts);

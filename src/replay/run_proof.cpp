@@ -176,17 +176,17 @@ std::string other_build_words(const std::string& build) {
       short_build_identity());
 }
 
-MadeAgain why_not_kept(const std::string& trace_path, const RunDigest& digest,
-                       const std::string& scene_text) {
+MadeAgain why_not_kept(const std::string& trace_path, const RunDigest& digest, const std::string& scene_text,
+                       bool is_countable) {
   std::error_code ignored;
   if (!fs::exists(trace_path, ignored)) return {};
   if (const auto build = other_build_of(trace_path))
     return {"it was made by " + other_build_words(*build), true};
   const std::string proof = proof_text(trace_path);
   if (!proof.starts_with(first_line))
-    return {!is_finished(trace_path) ? "it is not whole"
-            : is_hdf5(trace_path)    ? "it is of another run, by its own word"
-                                     : "nothing beside it says which run made it"};
+    return {!is_finished(trace_path)              ? "it is not whole"
+            : is_countable && is_hdf5(trace_path) ? "it is of another run, by its own word"
+                                                  : "nothing beside it says which run made it"};
   if (!proves_another_run(trace_path, digest)) return {"it is not, byte for byte, what was written"};
   for (const auto& [name, hash] : digest.kinds) {
     // What an earlier build did not write down is not told.

@@ -45,9 +45,11 @@ struct MadeAgain {
 
 /// Of the trace at that path, for the run with this digest. Of an HDF5 trace, which keeps its scene, what the
 /// scene was and is now, in so far as scene_differences() tells it in few words.
-/// @param scene_text  the run's, as its trace would keep it
+/// @param scene_text    the run's, as its trace would keep it
+/// @param is_countable  without a proof, a whole trace of this run would be kept for what it says of itself
 /// @pre proven_figures() gives nothing
-MadeAgain why_not_kept(const std::string& trace_path, const RunDigest& digest, const std::string& scene_text);
+MadeAgain why_not_kept(const std::string& trace_path, const RunDigest& digest, const std::string& scene_text,
+                       bool is_countable);
 
 /// Removes what a killed run may have left beside a trace that is kept: files that were under way.
 void remove_unfinished(const std::string& trace_path);

@@ -54,13 +54,15 @@ constexpr SummaryColumn figure_columns[] = {
      [](const T& run) { return mean(run.sum_slip_mu, run.pressed_slip_ticks); }, Kind::number, true},
     {"max_mu", "1", "the greatest coefficient of friction", number<&T::max_mu>},
     {"friction_work_j", "J",
-     "the work of friction on the finger; below 0 where it takes energy, as it should",
+     "the work of friction on the finger, its turning included, each tick's force held until the next; below "
+     "0 where it takes energy, as it should",
      number<&T::friction_work_j>},
     {"remedied_ticks", "1", "ticks on which a remedy against a stiff stick spring acted",
      count<&T::remedied_ticks>, Kind::count},
     {"energy_made_j", "J",
-     "the most that the forces have given to the finger on balance since the start: energy that the contact "
-     "has made; 0 for a passive one",
+     "the most that the forces, held likewise, have given to the finger on balance since the start, less "
+     "what "
+     "was stored there: energy that the contact has made; 0 for a passive one",
      number<&T::energy_made_j>},
     {"inside_starts", "1", "how often the finger began inside of a part, or where a proxy does not fit",
      count<&T::inside_starts>, Kind::count},

@@ -217,8 +217,10 @@ TickRecord Touch::tick(const FingerSample& sample) noexcept {
     reset();
     return record;
   }
+  const bool is_first = !has_last_;
   const SkinMotion skin = skin_motion(sample);
   record.velocity_W = skin.velocity_W;
+  record.turn_W = skin.turn_W;
   const Contact& contact = method_->touch(sample.p_WQ, dt_s_);
   record.unsettled = contact.behind;
   // A search for a place that goes on with the next tick has not found that there is none.
@@ -230,7 +232,8 @@ TickRecord Touch::tick(const FingerSample& sample) noexcept {
     return record;
   }
   answer(contact, sample, skin, record);
-  record.started_inside |= contact.started && !unplaced_before && is_inside_part(record, *world_);
+  record.started_inside |=
+      (contact.started || is_first) && !unplaced_before && is_inside_part(record, *world_);
   if (meaningful(record.force_W_n)) return record;
   reset();  // a force that overflowed is no force to give to a person's hand
   record = {};

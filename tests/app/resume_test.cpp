@@ -1,11 +1,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 #include <functional>
+#include <sstream>
 
 #include "support/effort.hpp"
+#include "support/mesh_files.hpp"
 #include "support/paths.hpp"
+#include "support/shapes.hpp"
 #include "support/shell.hpp"
 
 // `replay --resume`: keeps what an earlier run finished of the very same batch, and nothing else.
@@ -186,6 +190,41 @@ TEST_P(Resume, CleansUpWhatAKilledRunLeft) {
 
 INSTANTIATE_TEST_SUITE_P(Hdf5, Resume, testing::Values("h5"));
 INSTANTIATE_TEST_SUITE_P(Csv, Resume, testing::Values("csv"));
+
+// A ball that jumps about on a sphere of 81,920 facets, where its proxy lags: that is in no trace, and
+// is told all the same where the proof is gone.
+TEST(ResumeWithoutAProof, TellsWhereAProxyLagged) {
+  if (!test::forks_beside_threads()) GTEST_SKIP() << "a trace without proof is read by a child";
+  const fs::path folder = test::scratch_dir();
+  std::ofstream(folder / "ball.stl") << test::text_stl(test::sphere_soup(0.05, 6));
+  std::ofstream motion(folder / "m.csv");
+  motion << "t_s,x_m,y_m,z_m\n";
+  for (int k = 0; k < 200; ++k) {
+    const double turn = 2.2 * (k / 10);
+    motion << 0.001 * k << ',' << 0.049 * std::cos(turn) << ',' << 0.049 * std::sin(turn) << ",0\n";
+  }
+  motion.close();
+  std::ofstream(folder / "s.toml") << "name = \"s\"\n[[part]]\nmesh = \"ball.stl\"\nunit = \"m\"\n[contact]\n"
+                                      "method = \"proxy\"\n[finger]\nradius_m = 0.02\n[motion]\nfile = "
+                                      "\"m.csv\"\nrate_hz = 1000\n";
+  replay(folder, "--out out");
+  const std::string summary = bytes_of(folder / "out" / "summary.csv");
+  const auto column = [&summary](const std::string& name) {
+    std::istringstream lines(summary);
+    std::string header, row, cell;
+    std::getline(lines, header);
+    std::getline(lines, row);
+    std::istringstream names(header), cells(row);
+    for (std::string one; std::getline(names, one, ',') && std::getline(cells, cell, ',');)
+      if (one == name) return cell;
+    return std::string();
+  };
+  ASSERT_GT(std::stoi(column("unsettled_ticks")), 0) << summary;
+  fs::remove_all(folder / "out" / ".fingerpad");
+  fs::remove(folder / "out" / "summary.csv");
+  EXPECT_THAT(replay(folder, "--out out --resume").out, HasSubstr("1 kept from before"));
+  EXPECT_EQ(bytes_of(folder / "out" / "summary.csv"), summary);
+}
 
 TEST(ResumeWithAProofOfAnotherRun, MakesTheTraceAgain) {
   const fs::path folder = folder_with_scene({});

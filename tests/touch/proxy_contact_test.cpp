@@ -208,6 +208,11 @@ TEST(ProxyContact, AStartInsideIsHandledAndTold) {
   EXPECT_NEAR(rows[1].force_W_n.z(), 5, 1e-12);
   EXPECT_EQ(rows[2].phase, Phase::free);
   EXPECT_FALSE(run(world, proxy_scene(), {Vec3(0.01, 0.02, 0.02)})[0].started_inside);
+  Scene closest = proxy_scene();
+  closest.contact.method = "closest-point";
+  const auto nearest = run(world, closest, {Vec3(0.01, 0.02, 0.004), Vec3(0.01, 0.02, 0.005)});
+  EXPECT_TRUE(nearest[0].started_inside);
+  EXPECT_FALSE(nearest[1].started_inside);
 }
 
 TEST(ProxyContact, AStartWhereTheBallDoesNotFitIsToldOnce) {

@@ -15,6 +15,18 @@ TEST(World, NamesItsSurfacesAsPeopleAreTold) {
   EXPECT_EQ(shown_name(test::plane_world()->surfaces.front()), "plane");
 }
 
+TEST(World, CountsPartsAndPlanesEachFromOne) {
+  World world = *test::world_of(test::box_soup(Vec3(1, 1, 1)));
+  world.surfaces.push_back(world.surfaces.front());
+  world.surfaces[0].mesh = "a.stl";
+  world.surfaces[1].mesh = "b.stl";
+  for (int k = 0; k < 2; ++k) world.surfaces.push_back(test::plane_world()->surfaces.front());
+  EXPECT_EQ(counted_name(world, 0), "part 1 (a.stl)");
+  EXPECT_EQ(counted_name(world, 1), "part 2 (b.stl)");
+  EXPECT_EQ(counted_name(world, 2), "plane 1");
+  EXPECT_EQ(counted_name(world, 3), "plane 2");
+}
+
 TEST(World, NeedsNoMethodWhereNeitherPartsNorCornersAreAmongItsPlanes) {
   World world = *test::plane_world();
   world.surfaces.emplace_back();

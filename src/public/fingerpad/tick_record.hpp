@@ -38,9 +38,10 @@ struct TickRecord {
   Wxyz attitude = Wxyz::Constant(nan);      ///< of a finger whose attitude is known: a unit quaternion
   Vec3 sent_W_n = Vec3::Constant(nan);      ///< what a device with motors was sent, within its limits [N]
   Vec3 residual_W_n = Vec3::Constant(nan);  ///< force_W_n less the force that was measured there [N]
+  Vec3 turn_W = Vec3::Zero();               ///< the finger's since the last tick [rad]; not in traces
   bool remedied = false;  ///< a remedy for a stick spring too stiff for the loop has acted; not in traces
-  bool started_inside = false;  ///< a proxy was put down here although the finger was inside, or found no
-                                ///< place where it fits; not in traces
+  bool started_inside = false;  ///< the finger began inside of a part, or a proxy found no place where it
+                                ///< fits; not in traces
   bool unsettled = false;  ///< the proxy stopped before it was at rest, so that the tick's work has a bound,
                            ///< and goes on in the next; not in traces
 };
