@@ -72,13 +72,13 @@ bool tell_plan(const BatchPlan& plan, const BatchOptions& batch) {
     return false;
   }
   print_out(
-      "{} {}{}, {:.0f} ticks: about {} on {} {}, {} in {} (from {} of {} kinds of jobs tried{}; nothing "
+      "{} {}{}, {:.0f} ticks: about {} on {} {}, {}{} (from {} of {} kinds of jobs tried{}; nothing "
       "was written)\n",
       plan.jobs.size(), plan.jobs.size() == 1 ? "job" : "jobs",
       failing > 0 ? fmt::format(", of which {} would fail", failing) : "", plan.ticks,
       duration_words(plan.seconds), batch.threads, batch.threads == 1 ? "thread" : "threads",
-      plan.bytes_unknown.empty() ? size_words(plan.bytes) : "unknown bytes", batch.out_dir, plan.measured,
-      plan.kinds,
+      plan.bytes_unknown.empty() ? size_words(plan.bytes) : "unknown bytes",
+      batch.out_dir.empty() ? "" : " in " + batch.out_dir, plan.measured, plan.kinds,
       plan.not_laid > 0 ? fmt::format("; not tried whether the motion of {} can be laid",
                                       plan.not_laid == 1 ? "1 job" : fmt::format("{} jobs", plan.not_laid))
                         : "");

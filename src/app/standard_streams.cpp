@@ -29,6 +29,8 @@ void guard_standard_streams() noexcept {
 }
 
 void write_stream(std::FILE* stream, std::string_view text) noexcept {
+  // Where both go to one file, what is said comes in the order in which it is said.
+  if (stream == stderr && std::fflush(stdout) != 0 && output_failure == 0) output_failure = errno;
   const bool written = std::fwrite(text.data(), 1, text.size(), stream) == text.size();
   if (!written && stream == stdout && output_failure == 0) output_failure = errno;
 }

@@ -1,6 +1,7 @@
 #include "trace/motion_doubts.hpp"
 
 #include <cmath>
+#include <initializer_list>
 #include <string>
 
 #include "base/number_text.hpp"
@@ -22,18 +23,31 @@ double way_m(const Motion& motion) {
   return way_m;
 }
 
-/// A column of forces whose name ends in another unit than was said; empty where none does.
-std::string other_unit_in_name(const RecordingFormat& format) {
-  if (!format.says_force_unit) return {};
-  for (const std::size_t k : {place_of_fn, place_of_fx, place_of_fx + 1, place_of_fx + 2}) {
+/// A unit that a scene says for some columns, in SI.
+struct SaidUnit {
+  Quantity quantity;
+  double si_per_unit;
+  std::initializer_list<std::size_t> places;
+};
+
+/// The one of these columns whose name ends in another unit than was said; empty where none does.
+std::string other_unit_in_name(const RecordingFormat& format, const SaidUnit& said) {
+  for (const std::size_t k : said.places) {
     const std::string& header = format.headers[k];
     const std::string name = header.empty() && k == place_of_fn && format.reads_normal_force
                                  ? std::string(recording_columns[k].header)
                                  : header;
-    if (unit_in_name(Quantity::force, name).value_or(format.newtons_per_unit) != format.newtons_per_unit)
+    if (unit_in_name(said.quantity, name).value_or(said.si_per_unit) != said.si_per_unit)
       return printable(name, 60);
   }
   return {};
+}
+
+std::string other_force_unit_in_name(const RecordingFormat& format) {
+  if (!format.says_force_unit) return {};
+  return other_unit_in_name(format, {Quantity::force,
+                                     format.newtons_per_unit,
+                                     {place_of_fn, place_of_fx, place_of_fx + 1, place_of_fx + 2}});
 }
 
 }  // namespace
@@ -49,9 +63,30 @@ void refuse_wild_rate(const MotionReading& reading, double least_hz) {
                   clock_text(clock), most_hz));
 }
 
+void warn_of_named_units(MotionReading& reading) {
+  const RecordingFormat& format = reading.settings.format;
+  const auto warn = [&reading](const std::string& name, const char* key) {
+    if (!name.empty())
+      reading.warn(
+          fmt::format("its column '{}' says by its name another unit than {} in [motion], which is "
+                      "taken: is that meant?",
+                      name, key));
+  };
+  if (format.says_time_unit)
+    warn(other_unit_in_name(format, {Quantity::time, format.seconds_per_unit, {0}}), "time_unit");
+  if (format.says_unit)
+    warn(
+        other_unit_in_name(
+            format, {Quantity::length, format.metres_per_unit, {place_of_x, place_of_x + 1, place_of_x + 2}}),
+        "unit");
+}
+
 void warn_of_one_sample(MotionReading& reading) {
   if (reading.motion.t_s.size() != 1) return;
-  reading.warn("has one row: the finger is there for one tick, and a motion takes two rows or more");
+  const auto& format = reading.settings.format;
+  reading.warn(fmt::format("has one row{}{}: the finger is there for one tick, and goes nowhere",
+                           format.subject ? fmt::format(" of subject {}", *format.subject) : "",
+                           format.trial ? fmt::format(" of trial {}", *format.trial) : ""));
 }
 
 void warn_of_odd_steps(MotionReading& reading) {
@@ -126,7 +161,7 @@ void warn_of_force_unit(MotionReading& reading) {
   const auto doubt = force_unit_doubt(usual_n, reading.says_force_unit);
   if (!doubt) return;
   // Who has said the unit is believed, unless the table itself says another.
-  const std::string name = other_unit_in_name(reading.settings.format);
+  const std::string name = other_force_unit_in_name(reading.settings.format);
   if (reading.settings.format.says_force_unit && name.empty()) return;
   std::string words = doubt->words(
       is_normal ? "measured normal force" : "measured force",

@@ -11,7 +11,9 @@ void refuse_wild_rate(const MotionReading& reading, double least_hz);
 
 /// Of a clock with steps of many lengths: said where it decides something.
 void warn_of_odd_steps(MotionReading& reading);
-/// Of a file that ends after its first row.
+/// Of columns whose names say another unit than the scene says.
+void warn_of_named_units(MotionReading& reading);
+/// Of a file, or of a trial in it, of one row.
 void warn_of_one_sample(MotionReading& reading);
 /// Of times that seem to be in ms, us or ns and were read as seconds, where the scene does not say what they
 /// are in.

@@ -50,6 +50,7 @@ LoadedMotion load_motion(const Scene& scene, MeshStore& meshes) {
   MotionReading reading{scene, settings, {}, {}, false, false, {}, {}, {}};
   read_file(reading);
   reading.clock = recording_clock(reading.motion.t_s);
+  warn_of_named_units(reading);
   warn_of_one_sample(reading);
   warn_of_slow_clock(reading);
   warn_of_quick_clock(reading);

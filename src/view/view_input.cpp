@@ -48,6 +48,8 @@ ViewInput view_of_trace(Trace trace, const std::string& path) {
   // The trace was recorded elsewhere perhaps: a scene whose files are gone costs its labels, not the picture.
   try {
     input.scene = read_recorded_scene(trace.info.scene_text, trace.info.profile_text, path);
+    // Of a recording at a rate of its own the scene says none.
+    if (trace.info.rate_hz > 0) input.scene->motion.rate_hz = trace.info.rate_hz;
     if (!input.world) input.world = load_world(*input.scene);
   } catch (const Error& error) {
     if (!input.world) input.notice = fmt::format("The parts are not shown: {}", error.what());

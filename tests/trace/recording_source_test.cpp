@@ -54,6 +54,23 @@ TEST(RecordingSource, FollowsAFileAtItsOwnRateAndSaysSo) {
   EXPECT_EQ(at_rate(scene_with("file = \"m.csv\"\n"), motion.path).motion.rate_hz, 240);
 }
 
+TEST(RecordingSource, AUnitThatAColumnsNameContradictsIsTakenAndTold) {
+  const auto warnings = [](const std::string& header, const std::string& units) {
+    const Scene scene =
+        scene_with("file = \"m.csv\"\ncolumns = { t = \"" + header.substr(0, header.find(',')) +
+                   "\", x = \"X [mm]\", y = \"Y\", z = \"Z\" }\n" + units);
+    write_recording(500, 240, header);
+    return load_motion(scene).warnings;
+  };
+  EXPECT_THAT(warnings("time [s],X [mm],Y,Z", "unit = \"mm\"\n"), IsEmpty());
+  EXPECT_THAT(
+      warnings("time [s],X [mm],Y,Z", "unit = \"cm\"\n"),
+      ElementsAre(HasSubstr("its column 'X [mm]' says by its name another unit than unit in [motion]")));
+  EXPECT_THAT(
+      warnings("time [ms],X [mm],Y,Z", "unit = \"mm\"\ntime_unit = \"s\"\n"),
+      testing::Contains(HasSubstr("its column 'time [ms]' says by its name another unit than time_unit")));
+}
+
 TEST(RecordingSource, ARateThatIsWrittenStandsAndNeedsNoWords) {
   const LoadedMotion motion = loaded("rate_hz = 1000\n");
   EXPECT_EQ(motion.path.rate_hz(), 1000);

@@ -134,6 +134,16 @@ TEST(Plot, OfAThinnedTraceInCsvSaysSoAsFarAsItsRowsTell) {
   EXPECT_EQ(ticks_a_row(trace), 1u) << "a trace that has its scene says it itself";
 }
 
+TEST(Plot, SaysTheRateThatServedWhereTheSceneLeftItToTheRecording) {
+  const auto path = scratch_dir() / "own.svg";
+  Trace trace;
+  trace.rows = torus_rub().rows;
+  trace.info.scene_text = "name = \"t\"\n[[plane]]\npoint_m = [0, 0, 0]\nnormal = [0, 0, 1]\n";
+  trace.info.rate_hz = 200;
+  write_plot(view_of_trace(trace, "own.h5"), path.string(), 800);
+  EXPECT_THAT(text_of(path), HasSubstr("200 ticks a second"));
+}
+
 TEST(Plot, OfATraceInCsvSaysWhereItsSpectrumPeaksAndNothingBeforeThat) {
   const auto path = scratch_dir() / "csv.svg";
   Trace trace;
