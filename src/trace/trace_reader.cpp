@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <limits>
 
@@ -39,6 +40,13 @@ Trace read_hdf5_trace(const std::string& path, TraceContents contents) {
       [&](Hearer& hear) { return hear_trace(path, contents, hear); });
 }
 
+/// Where no more than one wall can hold the finger a run does not tell how many do.
+void count_single_walls(Trace& trace) {
+  const bool is_told = std::find(trace.absent.begin(), trace.absent.end(), "walls") == trace.absent.end();
+  if (is_told || !trace.info.columns.empty()) return;
+  for (TickRecord& row : trace.rows) row.walls = row.phase == Phase::free ? 0 : 1;
+}
+
 }  // namespace
 
 bool is_hdf5(const std::string& path) {
@@ -66,6 +74,7 @@ Trace read_trace(const std::string& path, TraceContents contents) {
   refuse_false_hdf5(path);
   Trace trace = is_hdf5(path) ? read_hdf5_trace(path, contents) : read_csv_trace(path);
   if (contents != TraceContents::some_rows) refuse_missing_columns(trace, path);
+  count_single_walls(trace);
   return trace;
 }
 

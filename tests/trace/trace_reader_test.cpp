@@ -39,6 +39,15 @@ TEST(TraceReader, ReadsATraceOfAProgramThatDidNotCountRuptures) {
   for (const TickRecord& row : trace.rows) EXPECT_EQ(row.ruptures, 0);
 }
 
+TEST(TraceReader, CountsOneWallWhereNoMoreCanHoldTheFinger) {
+  for (const TraceFormat format : {TraceFormat::hdf5, TraceFormat::csv}) {
+    const auto path = test::scratch_dir() / (format == TraceFormat::csv ? "t.csv" : "t.h5");
+    test::write_trace(path, format, some_rows(8));
+    for (const TickRecord& row : read_trace(path.string()).rows)
+      EXPECT_EQ(row.walls, row.phase == Phase::free ? 0 : 1);
+  }
+}
+
 TEST(TraceReader, RefusesWhatIsNoTrace) {
   const auto folder = test::scratch_dir();
   write_text(folder / "empty", "");

@@ -34,6 +34,7 @@ inline std::vector<TickRecord> some_rows(long count) {
       r.inclination_rad = 0.78;
       r.surface = static_cast<int>(k % 2);
       r.triangle = k % 2 == 0 ? 11 : -1;
+      r.walls = 1;
     }
     if (r.phase == Phase::stick) r.stick_centre_W = Vec3(1, 2, 3);
     rows.push_back(r);
