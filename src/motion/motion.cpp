@@ -40,16 +40,24 @@ RecordedTable read_table(const std::string& path, RecordingFormat& format) {
   return recorded_table(path, std::move(table.columns), std::move(table.lines), asked, table.units, format);
 }
 
+/// @param is_twice  the same time, and not an earlier one
+const char* mend_for_times(const RecordingFormat& format, bool is_twice) {
+  if (format.trial && format.subject) return "";
+  if (format.trial) return "; where subjects have trials of the same number, say 'subject' in [motion] too";
+  return is_twice ? "; leave one of the two rows out; of a table of several trials say which one: 'trial' in "
+                    "[motion] "
+                    "(and 'subject')"
+                  : "; sort the rows by time; of a table of several trials say which one: 'trial' in "
+                    "[motion] (and "
+                    "'subject')";
+}
+
 void check_times(const RecordedTable& recording, const RecordingFormat& format,
                  const std::vector<double>& t_s) {
   for (std::size_t i = 1; i < t_s.size(); ++i) {
     if (t_s[i] > t_s[i - 1]) continue;
-    const char* mend =
-        format.trial && format.subject ? ""
-        : format.trial ? "; where subjects have trials of the same number, say 'subject' in [motion] too"
-                       : "; sort the rows by time; of a table of several trials say which one: 'trial' in "
-                         "[motion] (and 'subject')";
-    throw recording.fault(i, fmt::format("time {} s does not come after {} s{}", t_s[i], t_s[i - 1], mend));
+    throw recording.fault(i, fmt::format("time {} s does not come after {} s{}", t_s[i], t_s[i - 1],
+                                         mend_for_times(format, t_s[i] == t_s[i - 1])));
   }
 }
 

@@ -71,6 +71,18 @@ TEST(RecordingSource, AUnitThatAColumnsNameContradictsIsTakenAndTold) {
       testing::Contains(HasSubstr("its column 'time [ms]' says by its name another unit than time_unit")));
 }
 
+TEST(RecordingSource, ATimeThatStandsTwiceIsToldOtherwiseThanRowsThatAreNotSorted) {
+  const auto told = [](const char* rows) {
+    const Scene scene = scene_with("file = \"m.csv\"\n");
+    std::ofstream(test::scratch_dir() / "m.csv") << "t_s,x_m,y_m,z_m\n" << rows;
+    return test::why_not([&] { load_motion(scene); });
+  };
+  EXPECT_THAT(told("0,0,0,0\n0.1,0,0,0\n0.1,0,0,0\n"),
+              HasSubstr("m.csv:4: time 0.1 s does not come after 0.1 s; leave one of the two rows out"));
+  EXPECT_THAT(told("0,0,0,0\n0.1,0,0,0\n0.05,0,0,0\n"),
+              HasSubstr("m.csv:4: time 0.05 s does not come after 0.1 s; sort the rows by time"));
+}
+
 TEST(RecordingSource, ARateThatIsWrittenStandsAndNeedsNoWords) {
   const LoadedMotion motion = loaded("rate_hz = 1000\n");
   EXPECT_EQ(motion.path.rate_hz(), 1000);
