@@ -40,6 +40,25 @@ TEST(WindingNumber, IsTheSumOverAllTriangles) {
   }
 }
 
+// Half of each triangle's angle is a quarter turn, exactly: the sum of both ends where a round is counted or
+// not.
+TEST(WindingNumber, OfAnglesThatAddUpToHalfATurnCountsNoRoundTooMany) {
+  for (const bool turned : {false, true}) {
+    TriangleSoup soup;
+    soup.vertices_P.resize(3, 6);
+    soup.triangles.resize(3, 2);
+    soup.vertices_P << 0, 1, -2, -1, 0, 1, 1, 0, -1, 0, 1, -2, 0, 0, 2, 0, 0, 2;
+    for (int k = 0; k < 2; ++k) {
+      soup.triangles.col(k) << 3 * k, 3 * k + (turned ? 2 : 1), 3 * k + (turned ? 1 : 2);
+    }
+    const auto part = std::make_shared<const Part>(make_part(soup, 0.5));
+    const PackedPart packed = pack(part);
+    const Vec3 q = -part->centre_P;
+    EXPECT_NEAR(std::abs(test::winding_number(*part, q)), 0.5, 1e-12);
+    EXPECT_NEAR(WindingNumber(packed).about(packed, q), test::winding_number(*part, q), 1e-6);
+  }
+}
+
 // A start inside pays for it out of a tick's looks, of which it took most where clusters four radii away were
 // the nearest that counted as dipoles.
 TEST(WindingNumber, OfMostPlacesARoughSumTellsWhetherTheyAreEnclosed) {
