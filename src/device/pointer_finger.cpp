@@ -44,7 +44,7 @@ struct PointerFinger::Change final : ChangeBeside {
     finger.around_.change(world, choice);
     finger.foresight_.change(world, method);
     finger.rest_.forget();
-    finger.tap_.forget();
+    finger.tap_.let_go();
   }
 
   PointerFinger& finger;

@@ -13,7 +13,7 @@ class PointerTap {
   /// What the finger is to do in this tick. @param felt_n  normal force of the last tick
   const PointerAim& lead(const PointerAim& aim, double felt_n, double dt_s) noexcept {
     const bool begins = aim.presses() && !is_pressed_;
-    if (begins) forget();
+    if (begins) *this = PointerTap();
     if (aim.presses()) press_ = aim;
     is_pressed_ = aim.presses();
     asked_s_ += dt_s;
@@ -23,8 +23,8 @@ class PointerTap {
     return is_pressed_ || has_ended() ? aim : press_;
   }
 
-  /// Asks for nothing on.
-  void forget() noexcept { *this = PointerTap(); }
+  /// Asks for nothing on, also when what is pressed now is let go.
+  void let_go() noexcept { is_felt_ = true; }
 
  private:
   bool has_ended() const noexcept {

@@ -61,12 +61,19 @@ TEST(PointerTap, TakesTheForceOfThePressBeforeForNoneOfItsOwn) {
   EXPECT_FALSE(tap.lead(off, 0.6, dt_s).presses()) << "this is its own";
 }
 
-TEST(PointerTap, ForgetsWhatItWasAskedFor) {
-  PointerTap tap;
-  const PointerAim off = aim_at(0.1, 0);
-  tap.lead(aim_at(0.1, 1), 0, dt_s);
-  tap.forget();
-  EXPECT_FALSE(tap.lead(off, 0, dt_s).presses());
+// As where the scene is changed under the finger, which may press at that time.
+TEST(PointerTap, AsksForNothingOnOnceItHasLetGo) {
+  for (const bool is_pressed : {false, true}) {
+    PointerTap tap;
+    const PointerAim on = aim_at(0.1, 1), off = aim_at(0.1, 0);
+    tap.lead(on, 0, dt_s);
+    if (!is_pressed) tap.lead(off, 0, dt_s);
+    tap.let_go();
+    if (is_pressed) tap.lead(on, 0.9, dt_s);
+    EXPECT_FALSE(tap.lead(off, 0.9, dt_s).presses());
+    tap.lead(on, 0, dt_s);
+    EXPECT_TRUE(tap.lead(off, 0, dt_s).presses()) << "but the next press";
+  }
 }
 
 }  // namespace
