@@ -12,7 +12,7 @@ namespace fingerpad {
 
 /// A scene's motion as `check` tells it.
 struct MotionCheck {
-  std::string name;
+  std::string name;  ///< motion_name()
   long ticks = 0;
   double rate_hz = 0, duration_s = 0;
   Bounds box_W;          ///< of the finger's whole way [m]
