@@ -61,12 +61,12 @@ std::string unknown_subcommand(const CLI::App& program, int argc, char** argv) {
 }
 
 /// "there is no option '--colums'; did you mean '--columns'?", or which there are; nothing where the
-/// subcommand knows them all.
+/// subcommand, or the program without one, knows them all.
 std::string unknown_option(const CLI::App& program, int argc, char** argv) {
-  if (program.get_subcommands().empty()) return {};
-  const CLI::App& command = *program.get_subcommands().front();
+  const CLI::App& command = program.get_subcommands().empty() ? program : *program.get_subcommands().front();
   std::vector<std::string> names;
   for (const CLI::Option* option : command.get_options()) {
+    if (&command == &program && option->get_group().empty()) continue;  // the build's own
     for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
   }
   for (const std::string_view word : std::span(argv, static_cast<std::size_t>(argc)).subspan(1)) {

@@ -73,8 +73,9 @@ double write_answers(const TriangleTree& tree, const CsvColumns& points,
 }
 
 /// The units in which the points would lie about the part, the likeliest first: in which both are about as
-/// large.
+/// large, and in none of which one is a hundred times the other.
 std::string likelier_units(const Eigen::AlignedBox3d& part, const CsvColumns& points) {
+  constexpr double most_unlike = 100;
   Eigen::AlignedBox3d box;
   for (std::size_t i = 0; i < points.lines.size(); ++i)
     box.extend(Vec3(points.columns[0][i], points.columns[1][i], points.columns[2][i]));
@@ -84,7 +85,9 @@ std::string likelier_units(const Eigen::AlignedBox3d& part, const CsvColumns& po
     if (unit.metres == 1 || part.exteriorDistance(scaled) > part.diagonal().norm()) continue;
     const double farthest_m = part.center().norm() + part.diagonal().norm() / 2,
                  reach_m = std::max(scaled.min().norm(), scaled.max().norm());
-    units.emplace_back(std::abs(std::log(reach_m / farthest_m)), unit.name);
+    const double times = reach_m / farthest_m;
+    if (times < most_unlike && times > 1 / most_unlike)
+      units.emplace_back(std::abs(std::log(times)), unit.name);
   }
   std::sort(units.begin(), units.end());
   std::string words;

@@ -45,6 +45,8 @@ CsvColumns read_csv_columns(const std::string& path, const CsvRequest& request) 
     table.lines.push_back(reader.line());
   }
   table.cut = reader.cut();
+  table.above = reader.above();
+  table.unread = reader.unread();
   return table;
 }
 

@@ -27,7 +27,9 @@ struct CsvColumns {
   std::vector<long> lines;                   ///< per row: its line in the file, from 1
   UnitRow units;                             ///< below the header, where the request takes one
   char separator = ',';                      ///< that the file has
-  std::string cut;  ///< that its last row was left out, where the request wants it so; for people
+  std::string cut;    ///< that its last row was left out, where the request wants it so; for people
+  std::string above;  ///< that lines above its header were passed over, for people; empty: there are none
+  std::vector<std::string> unread;  ///< what the header names that was not asked for, for people
 };
 
 /// What is said of another mark than a comma where only commas are read.
@@ -65,7 +67,8 @@ struct CsvRequest {
 
 /// Reads named columns of a CSV file whose first line is a header; other columns, blank lines and lines that
 /// begin with `#` are passed over. Where the first line that is left is one of numbers, the last line before
-/// it that begins with `#` is the header, as NumPy writes it.
+/// it that begins with `#` is the header, as NumPy writes it. Where it does not name all that is required,
+/// the first line that does is the header: what a program says above it about its instrument is passed over.
 ///
 /// Throws Error (refused, at `file:line`) as csv_column, for a file that cannot be read or is empty, a
 /// missing column (with those that are there), a separator that cannot be found, a row that is short or has

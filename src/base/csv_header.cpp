@@ -71,6 +71,49 @@ char separator_of(const CsvHeader& header, const CsvRequest& request) {
   return most_cells < 2 || names_all(header.line, ' ', request.required) ? ' ' : most;
 }
 
+/// The mark that parts a row of numbers: the one under which it has the most cells.
+char mark_of_numbers(std::string_view line, const CsvDialect& dialect) {
+  if (dialect.separator != found_separator) return dialect.separator;
+  char best = ' ';
+  for (const char mark : {',', ';', '\t'})
+    if (mark != dialect.decimal && csv_cells(line, mark).size() > csv_cells(line, best).size()) best = mark;
+  return best;
+}
+
+bool names_required(std::string_view line, const CsvRequest& request) {
+  if (request.dialect.separator != found_separator)
+    return names_all(line, request.dialect.separator, request.required);
+  return std::ranges::any_of(std::string_view(",;\t "),
+                             [&](char mark) { return names_all(line, mark, request.required); });
+}
+
+/// A line that may name the columns, and where it stands.
+struct NamingLine {
+  std::string line, place;
+  long number = 0;
+};
+
+/// The first line below `first` that names all that is required. Where none does that is near, the one that
+/// begins the lines of words above the first row of numbers, of as many cells as it: its names can be told.
+NamingLine look_below(TextLines& lines, NamingLine first, const CsvRequest& request) {
+  constexpr int most_lines = 200;  // programs write some dozens about an instrument
+  std::vector<NamingLine> words = {std::move(first)};
+  std::string_view line;
+  for (int k = 0; k < most_lines && lines.next(line); ++k) {
+    if (is_passed_over(line)) continue;
+    if (names_required(line, request)) return {std::string(line), lines.place(), lines.number()};
+    const char mark = mark_of_numbers(line, request.dialect);
+    const std::size_t cells = csv_cells(line, mark).size();
+    if (is_row_of_numbers(trimmed(line)) && cells >= request.required.size()) {
+      auto begin = words.end();
+      while (begin != words.begin() && csv_cells(std::prev(begin)->line, mark).size() == cells) --begin;
+      return begin == words.end() ? words.front() : *begin;
+    }
+    words.push_back({std::string(line), lines.place(), lines.number()});
+  }
+  return words.front();
+}
+
 /// Whether a line that holds zero bytes is one of UTF-16 without its mark: every other byte of a letter that
 /// ASCII has is zero.
 bool is_wide_text(std::string_view line) {
@@ -117,6 +160,14 @@ CsvHeader read_csv_header(TextLines& lines, const CsvRequest& request) {
       header.first_row = header.line;
       header.line = comment;
       header.place = comment_place;
+    } else if (!names_required(header.line, request)) {
+      const long first = lines.number();
+      const NamingLine below = look_below(lines, {header.line, header.place, first}, request);
+      header.line = below.line;
+      header.place = below.place;
+      if (below.number > first)
+        header.above =
+            fmt::format("its header is line {}, and what stands above that is passed over", below.number);
     }
     header.separator = request.dialect.separator;
     if (header.separator == found_separator) header.separator = separator_of(header, request);
@@ -132,6 +183,7 @@ Error missing_column(const CsvHeader& header, std::string_view name, const CsvRe
     return std::find(names.begin(), names.end(), cell) != names.end();
   };
   for (const std::string_view cell : csv_cells(header.line, header.separator)) {
+    if (cell.empty()) continue;
     there.push_back(printable(cell, 60));
     if (!asks_for(request.required, cell) && !asks_for(request.optional, cell))
       unasked.push_back(there.back());

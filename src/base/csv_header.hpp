@@ -14,6 +14,7 @@ struct CsvHeader {
   std::string place;  ///< "table.csv:1"
   char separator = ',';
   std::string first_row;  ///< a row that was read too, the last line of `lines`; empty: none
+  std::string above;      ///< CsvColumns::above
 };
 
 /// Whether a line is one that no table counts: blank, or a comment.

@@ -173,6 +173,7 @@ CsvRowReader::CsvRowReader(const std::string& path, const CsvRequest& request)
                               lines_.number()));
   separator_ = header.separator;
   first_row_ = header.first_row;
+  above_ = header.above;
   header_cells_ = csv_cells(header.line, header.separator).size();
   std::vector<std::string_view> names = request.required;
   names.insert(names.end(), request.optional.begin(), request.optional.end());

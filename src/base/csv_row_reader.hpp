@@ -30,7 +30,8 @@ class CsvRowReader {
   std::string place() const { return lines_.place(); }                           ///< "table.csv:12"
   char separator() const noexcept { return separator_; }
   const UnitRow& units() const noexcept { return units_; }
-  const std::string& cut() const noexcept { return cut_; }  ///< CsvColumns::cut, after the last row
+  const std::string& cut() const noexcept { return cut_; }      ///< CsvColumns::cut, after the last row
+  const std::string& above() const noexcept { return above_; }  ///< CsvColumns::above
   /// What the header names that is not asked for, for people.
   const std::vector<std::string>& unread() const noexcept { return unread_; }
 
@@ -43,7 +44,7 @@ class CsvRowReader {
   char decimal_;
   std::string_view decimal_key_;
   bool takes_gaps_, leaves_out_cut_row_;
-  std::string cut_;
+  std::string cut_, above_;
   char separator_ = ',';
   std::string first_row_;  // that was read to look at it
   UnitRow units_;

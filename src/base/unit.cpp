@@ -27,7 +27,7 @@ std::vector<NamedUnit> units_of(Quantity quantity) {
       for (const TorqueUnit& unit : torque_units) units.push_back({unit.name, unit.newton_metres});
       break;
     case Quantity::speed:
-      units = {{"m/s", 1}, {"mm/s", 1e-3}, {"cm/s", 1e-2}, {"in/s", 25.4e-3}};
+      units = {{"m/s", 1}, {"mm/s", 1e-3}, {"cm/s", 1e-2}, {"in/s", 25.4e-3}, {"um/s", 1e-6}};
       break;
   }
   return units;
@@ -38,12 +38,13 @@ struct Spelling {
   std::string_view written, name;
 };
 constexpr Spelling spellings[] = {
-    {"sec", "s"},     {"second", "s"},   {"seconds", "s"},      {"msec", "ms"},        {"usec", "us"},
-    {"nsec", "ns"},   {"minute", "min"}, {"minutes", "min"},    {"metre", "m"},        {"metres", "m"},
-    {"meter", "m"},   {"meters", "m"},   {"millimetres", "mm"}, {"millimeters", "mm"}, {"newton", "N"},
-    {"newtons", "N"}, {"\u00b5s", "us"}, {"\u03bcs", "us"},     {"\xb5s", "us"},       {"inch", "in"},
-    {"Nm", "N.m"},    {"N m", "N.m"},    {"N*m", "N.m"},        {"N\u00b7m", "N.m"},   {"Nmm", "N.mm"},
-    {"N mm", "N.mm"}, {"N*mm", "N.mm"},  {"N\u00b7mm", "N.mm"}};
+    {"sec", "s"},      {"second", "s"},   {"seconds", "s"},      {"msec", "ms"},        {"usec", "us"},
+    {"nsec", "ns"},    {"minute", "min"}, {"minutes", "min"},    {"metre", "m"},        {"metres", "m"},
+    {"meter", "m"},    {"meters", "m"},   {"millimetres", "mm"}, {"millimeters", "mm"}, {"newton", "N"},
+    {"newtons", "N"},  {"\u00b5s", "us"}, {"\u03bcs", "us"},     {"\xb5s", "us"},       {"inch", "in"},
+    {"\u00b5m", "um"}, {"\u03bcm", "um"}, {"\xb5m", "um"},       {"micrometres", "um"}, {"micrometers", "um"},
+    {"Nm", "N.m"},     {"N m", "N.m"},    {"N*m", "N.m"},        {"N\u00b7m", "N.m"},   {"Nmm", "N.mm"},
+    {"N mm", "N.mm"},  {"N*mm", "N.mm"},  {"N\u00b7mm", "N.mm"}};
 
 /// "mm/s" of "mm s^-1", "mm.s-1" and the like; any other word as it is.
 std::string with_stroke(std::string_view word) {

@@ -13,8 +13,8 @@ struct LengthUnit {
   std::string_view name;
   double metres;
 };
-inline constexpr std::array<LengthUnit, 4> length_units{
-    {{"m", 1}, {"mm", 1e-3}, {"cm", 1e-2}, {"in", 25.4e-3}}};
+inline constexpr std::array<LengthUnit, 5> length_units{
+    {{"m", 1}, {"mm", 1e-3}, {"cm", 1e-2}, {"in", 25.4e-3}, {"um", 1e-6}}};
 
 /// What one unit of a recording's clock may be.
 struct TimeUnit {

@@ -37,6 +37,8 @@ RecordedTable read_table(const std::string& path, RecordingFormat& format) {
   CsvColumns table = read_csv_columns(path, request);
   format.dialect.separator = table.separator;
   format.cut = table.cut;
+  format.above = table.above;
+  format.unread = table.unread;
   return recorded_table(path, std::move(table.columns), std::move(table.lines), asked, table.units, format);
 }
 

@@ -22,7 +22,7 @@ std::string unit_hint(const Verdict& verdict, double metres_per_unit) {
   const double length_m = (verdict.bounds_m.max - verdict.bounds_m.min).maxCoeff();
   if (!verdict.touchable || verdict.format.find("STEP") != std::string::npos) return {};
   if (!(length_m > 0) || (length_m >= least_usual_m && length_m <= greatest_usual_m)) return {};
-  for (const std::string_view name : {"m", "mm", "in", "cm"}) {
+  for (const std::string_view name : {"m", "mm", "in", "cm", "um"}) {
     const double likely_m = length_m / metres_per_unit * fingerpad::metres_per_unit(name).value();
     if (likely_m < least_likely_m || likely_m > greatest_likely_m) continue;
     return fmt::format("is {} long; --unit {} (in a scene: unit = \"{}\") reads it as {}",

@@ -51,6 +51,7 @@ void read_measured_table(const std::string& path, const MeasurementFormat& forma
   into.told_units[path] = told;
   if (const std::string words = told_units_words(told); !words.empty())
     into.notes.push_back(fmt::format("{}: {}", path, words));
+  if (!table.above().empty()) into.notes.push_back(fmt::format("{}: {}", path, table.above()));
   if (is_own_csv_trace(path)) into.notes.push_back(fmt::format("{}: {}", path, own_trace_words));
   const RowReader rows(path, read_as, present);
   std::string missing = rows.missing_force();

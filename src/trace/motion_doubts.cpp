@@ -1,9 +1,11 @@
 #include "trace/motion_doubts.hpp"
 
+#include <cctype>
 #include <cmath>
 #include <initializer_list>
 #include <string>
 
+#include "base/nearest_word.hpp"
 #include "base/number_text.hpp"
 #include "base/printable_text.hpp"
 #include "base/unit.hpp"
@@ -50,6 +52,25 @@ std::string other_force_unit_in_name(const RecordingFormat& format) {
                                      {place_of_fn, place_of_fx, place_of_fx + 1, place_of_fx + 2}});
 }
 
+/// "q0", "Q3", "q_w", "quat_x", "roll", "yaw [deg]".
+bool names_a_turn(std::string_view name) {
+  std::string word;
+  for (const char c : name) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (std::isalnum(byte) == 0) {
+      if (c == '_' || c == '.') continue;
+      break;
+    }
+    word += static_cast<char>(std::tolower(byte));
+  }
+  for (const std::string_view angle : {"roll", "pitch", "yaw"})
+    for (const std::string_view unit : {"", "deg", "rad"})
+      if (word == std::string(angle).append(unit)) return true;
+  return (word.size() == 2 && word[0] == 'q' &&
+          std::string_view("01234wxyz").find(word[1]) != std::string_view::npos) ||
+         word.starts_with("quat");
+}
+
 }  // namespace
 
 void refuse_wild_rate(const MotionReading& reading, double least_hz) {
@@ -79,6 +100,19 @@ void warn_of_named_units(MotionReading& reading) {
         other_unit_in_name(
             format, {Quantity::length, format.metres_per_unit, {place_of_x, place_of_x + 1, place_of_x + 2}}),
         "unit");
+}
+
+void note_unread_attitude(MotionReading& reading, const std::vector<std::string>& unread) {
+  const Motion& motion = reading.motion;
+  if (!motion.attitude.empty() || motion.direction_W.cols() > 0) return;
+  std::vector<std::string> turns;
+  for (const std::string& name : unread)
+    if (names_a_turn(name)) turns.push_back(name);
+  if (turns.empty()) return;
+  reading.note(fmt::format(
+      "{} {} not read: an orientation is read of qw, qx, qy and qz, or dx, dy and dz; where they are called "
+      "otherwise, say columns = {{ qw = \"NAME\", ... }} in [motion]",
+      word_list(turns), turns.size() == 1 ? "is" : "are"));
 }
 
 void warn_of_one_sample(MotionReading& reading) {
@@ -121,11 +155,19 @@ void warn_of_slow_clock(MotionReading& reading) {
 
 void warn_of_quick_clock(MotionReading& reading) {
   constexpr long fewest_steps = 20;
-  constexpr double quick_hz = 5e3, quick_m_per_s = 2, seconds_per_minute = 60;
+  constexpr double quick_hz = 5e3, quick_m_per_s = 2, seconds_per_minute = 60, too_quick_m_per_s = 10;
   const RecordingClock& clock = reading.clock;
-  if (reading.says_time_unit || clock.steps < fewest_steps || clock.rate_hz < quick_hz) return;
+  if (clock.steps < fewest_steps) return;
   const double duration_s = reading.motion.t_s.back() - reading.motion.t_s.front();
   const double speed_m_per_s = way_m(reading.motion) / duration_s;
+  if (reading.says_time_unit || clock.rate_hz < quick_hz) {
+    if (speed_m_per_s > too_quick_m_per_s)
+      reading.warn(
+          fmt::format("its finger goes at {} m/s on average, as none does: are its positions and "
+                      "its times in the units that are said?",
+                      rounded_text(speed_m_per_s, 3)));
+    return;
+  }
   if (!(speed_m_per_s > quick_m_per_s)) return;
   reading.warn(fmt::format(
       "its finger goes at {} m/s on average, {} samples a second, if its time is in seconds, as none does; "

@@ -9,6 +9,7 @@
 #include "part/mesh_format.hpp"
 #include "part/text_cursor.hpp"
 #include "trace/hdf5_motion.hpp"
+#include "trace/motion_doubts.hpp"
 #include "trace/motion_of_trace.hpp"
 #include "trace/trace.hpp"
 
@@ -80,6 +81,7 @@ FieldRecording read_table_of_text(MotionReading& reading) {
   reading.says_force_unit = format.ends_each_row || !asks_for_key(format.name, "force_unit") ||
                             recording.told_units[static_cast<std::size_t>(Quantity::force)].has_value();
   if (!recording.read_as.cut.empty()) reading.warn(recording.read_as.cut);
+  if (!recording.read_as.above.empty()) reading.note(recording.read_as.above);
   warn_of_thinned(reading, every_of_csv(path));
   return recording;
 }
@@ -125,6 +127,7 @@ void read_file(MotionReading& reading) {
     throw refused(settings.file_path,
                   "holds no normal force, which normal_force = \"measured\" asks for: where its column is "
                   "called otherwise than fn_n, say columns = { fn = \"NAME\" } in [motion]");
+  note_unread_attitude(reading, recording.read_as.unread);
   const std::string how = reading_text(recording.read_as);
   if (!how.empty()) reading.note(how);
   for (const std::string& note : recording.notes) reading.note(note);

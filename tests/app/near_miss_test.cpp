@@ -86,6 +86,9 @@ TEST(NearMiss, OfAnOptionIsNamedBeforeWhatIsMissingForIt) {
   }
   const auto extra = test::fingerpad("replay scenes/sweep.toml --out o --colums t_s", folder);
   EXPECT_THAT(extra.err, HasSubstr("no option '--colums'; did you mean '--columns'?"));
+  const auto own = test::fingerpad("--versoin", folder);
+  EXPECT_EQ(own.exit_code, 2);
+  EXPECT_THAT(own.err, HasSubstr("there is no option '--versoin'; did you mean '--version'?"));
   const auto missing = test::fingerpad("replay scenes/sweep.toml", folder);
   EXPECT_THAT(missing.err, HasSubstr("--out is required")) << "nothing is spelled wrong";
 }

@@ -162,6 +162,32 @@ TEST(CsvDialect, CommentsArePassedOverAndOneMayBeTheHeader) {
   EXPECT_THAT(refusal("# y z\n1 2\n"), HasSubstr("t.csv:1: no column 't'"));
 }
 
+TEST(CsvDialect, WhatAProgramSaysAboveTheHeaderIsPassedOver) {
+  const CsvColumns table =
+      read("Sensor: ATI, Nano17\n2026-03-01, 12:30\nsubject\t7\n\nnote,x\nt;x;f\n1;2;3\n4;5;6\n");
+  EXPECT_THAT(table.columns[1], ElementsAre(2, 5));
+  EXPECT_THAT(table.lines, ElementsAre(7, 8));
+  EXPECT_EQ(table.separator, ';');
+  EXPECT_EQ(table.above, "its header is line 6, and what stands above that is passed over");
+  EXPECT_EQ(read("rig 3\nt,x\n1,2\n", ',').lines.size(), 1u);
+  EXPECT_EQ(read("t,x\n1,2\n").above, "");
+  EXPECT_EQ(read("# rig, 3\nt,x\n1,2\n").above, "") << "a comment";
+}
+
+TEST(CsvDialect, BelowWhatAProgramSaysTheLineOfNamesIsToldThatLacksOne) {
+  // The line above the numbers, of as many cells; and above its units.
+  EXPECT_THAT(
+      refusal("Sensor: ATI, Nano17\nsubject,7,9,1\nTime,x\n1,2\n"),
+      HasSubstr("t.csv:3: no column 't'; its header must name the columns t,x, and it names Time, x"));
+  EXPECT_THAT(refusal("made by a rig\nTime;x\ns;mm\n1,5;2\n", found_separator, ','),
+              HasSubstr("t.csv:2: no column 't'"));
+  EXPECT_THAT(refusal("Sensor: ATI, Nano17\nsubject,7\n"), HasSubstr("t.csv:1: no column 't'"));
+  std::string far(2000, '\n');
+  for (int k = 0; k < 300; ++k) far += "a word\n";
+  EXPECT_THAT(refusal(far + "t,x\n1,2\n"), HasSubstr("t.csv:2001: no column 't'"))
+      << "a table, and not a text, is looked for";
+}
+
 TEST(CsvDialect, AMissingColumnIsToldWithThoseThatAreThereAndTheNearest) {
   EXPECT_THAT(refusal("x;force;T\n1;2;3\n"), HasSubstr("did you mean 'T'?")) << "of its letters";
   EXPECT_THAT(refusal("T;x;force\n1;2;3\n"), AllOf(HasSubstr("t.csv:1: no column 't' (did you mean 'T'?)"),

@@ -83,11 +83,12 @@ TEST(ContentHash, IsFnv1a) {
   EXPECT_EQ(file_hash(write("foobar", "foobar")), "85944171f73967e8");
 }
 
-TEST(Units, AreTheFourOfTheContract) {
+TEST(Units, AreThoseOfTheContractAndMicrometres) {
   EXPECT_EQ(metres_per_unit("m").value(), 1);
   EXPECT_EQ(metres_per_unit("mm").value(), 1e-3);
   EXPECT_EQ(metres_per_unit("cm").value(), 1e-2);
   EXPECT_EQ(metres_per_unit("in").value(), 0.0254);
+  EXPECT_EQ(metres_per_unit("um").value(), 1e-6);
   EXPECT_FALSE(metres_per_unit("ft").has_value());
 }
 

@@ -78,7 +78,7 @@ TEST(SceneRefusal, NamesThePlaceOfAnUnknownName) {
   EXPECT_THAT(refusal(plane_scene + "[contact]\nnormals = \"x\"\n"), StartsWith("s.toml:6:11: "));
   EXPECT_THAT(refusal(plane_scene + "[motion]\nkind = \"spiral\"\n"), StartsWith("s.toml:6:8: "));
   EXPECT_THAT(refusal("[[part]]\nmesh = \"a\"\nunit = \"furlong\"\n"),
-              StartsWith("s.toml:3:8: [[part]]: unknown unit 'furlong' (known: m, mm, cm, in)"));
+              StartsWith("s.toml:3:8: [[part]]: unknown unit 'furlong' (known: m, mm, cm, in, um)"));
 }
 
 TEST(SceneRefusal, ValuesOutOfRangeNameTheirPlace) {

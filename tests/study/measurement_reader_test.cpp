@@ -162,7 +162,7 @@ TEST_F(Reading, AnHdf5DatasetsUnitIsReadAndToldOrRefusedByName) {
                   "0.001 m, a force is 1 N")));
   EXPECT_THAT(
       test::why_not([&] { read_with("ell", format); }),
-      HasSubstr("has the unit 'ell' at 'X', which is no unit of length that is known (m, mm, cm, in): "
+      HasSubstr("has the unit 'ell' at 'X', which is no unit of length that is known (m, mm, cm, in, um): "
                 "delete the attribute, and say --unit"));
   format.says_unit = true;
   EXPECT_THAT(test::why_not([&] { read_with("mm", format); }), HasSubstr("and --unit says another unit"));

@@ -71,6 +71,32 @@ TEST(RecordingSource, AUnitThatAColumnsNameContradictsIsTakenAndTold) {
       testing::Contains(HasSubstr("its column 'time [ms]' says by its name another unit than time_unit")));
 }
 
+TEST(RecordingSource, PositionsMayBeInMicrometres) {
+  const LoadedMotion motion = loaded("unit = \"um\"\n", 500, 250, 10);
+  EXPECT_NEAR(motion.path.at(100).p_WQ.x(), 1e-3, 1e-12);
+}
+
+TEST(RecordingSource, AFingerThatGoesFasterThanAnyIsToldWhateverUnitIsSaid) {
+  EXPECT_THAT(loaded("time_unit = \"ms\"\nrate_hz = 1000\n", 100, 1, 0.1).warnings,
+              ElementsAre(HasSubstr("its finger goes at 100 m/s on average, as none does")));
+  EXPECT_THAT(loaded("time_unit = \"ms\"\nrate_hz = 1000\n", 100, 1, 1e-3).warnings, IsEmpty());
+}
+
+TEST(RecordingSource, ColumnsThatHoldAnOrientationUnderOtherNamesAreToldAsNotRead) {
+  const auto notes = [](const std::string& more) {
+    const Scene scene = scene_with("file = \"m.csv\"\nrate_hz = 10\n");
+    std::ofstream file(test::scratch_dir() / "m.csv");
+    file << "t_s,x_m,y_m,z_m," << more << "\n";
+    for (int i = 0; i < 30; ++i) file << fmt::format("{},{:.6f},0,0.001,1,0,0,0\n", i / 10.0, 1e-5 * i);
+    file.close();
+    return load_motion(scene).notes;
+  };
+  EXPECT_THAT(notes("q0,q1,q2,q3"), ElementsAre(HasSubstr("q0, q1, q2, q3 are not read: an orientation")));
+  EXPECT_THAT(notes("a,b,Roll [deg],quiet"), ElementsAre(HasSubstr("Roll [deg] is not read")));
+  EXPECT_THAT(notes("qw,qx,qy,qz"), IsEmpty());
+  EXPECT_THAT(notes("a,b,rolled_qw,quiet"), IsEmpty());
+}
+
 TEST(RecordingSource, ATimeThatStandsTwiceIsToldOtherwiseThanRowsThatAreNotSorted) {
   const auto told = [](const char* rows) {
     const Scene scene = scene_with("file = \"m.csv\"\n");
