@@ -22,9 +22,16 @@ std::size_t indentation(const std::string& line) {
   return std::min(line.find_first_not_of(' '), line.size());
 }
 
+/// What a line goes on with after a break at `end`: a remark of a scene's line as a remark, so that what is
+/// copied from the help is still a scene.
+std::string next_row(const std::string& line, std::size_t end, std::size_t width, std::size_t hang) {
+  const std::size_t remark = line.find(" # ");
+  if (remark < end && remark < width / 2) return std::string(remark + 1, ' ') + "# ";
+  return std::string(indentation(line) + hang, ' ');
+}
+
 std::string wrapped_line(const std::string& line, std::size_t width, std::size_t hang) {
   std::string text, row = line.substr(0, indentation(line));
-  const std::string further(row.size() + hang, ' ');
   bool is_empty = true;
   std::size_t from = row.size();
   while (from < line.size()) {
@@ -32,7 +39,7 @@ std::string wrapped_line(const std::string& line, std::size_t width, std::size_t
                       end = std::min(line.find(' ', word), line.size());
     if (!is_empty && row.size() + end - from > width) {
       text += row + "\n";
-      row = further + line.substr(word, end - word);
+      row = next_row(line, from, width, hang) + line.substr(word, end - word);
     } else {
       row += line.substr(from, end - from);
     }

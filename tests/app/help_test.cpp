@@ -38,6 +38,12 @@ TEST(Help, HasNoLineThatATerminalBreaks) {
   }
 }
 
+TEST(Help, ARemarkThatIsBrokenGoesOnAsARemarkSoThatAScenesLinesCanBeCopied) {
+  const std::string replay = test::fingerpad("replay --help", test::scratch_dir()).out;
+  EXPECT_THAT(replay, HasSubstr("\nmethod = \"auto\"                # or closest-point, proxy; auto: the "
+                                "cheapest that keeps the\n                               # tolerances\n"));
+}
+
 TEST(Help, SaysWhatAnOptionTakesItsRangeAndItsDefault) {
   const std::string replay = test::fingerpad("replay --help", test::scratch_dir()).out;
   EXPECT_THAT(replay, HasSubstr("  --out FOLDER              Folder for the traces"));
@@ -50,7 +56,7 @@ TEST(Help, SaysWhatAnOptionTakesItsRangeAndItsDefault) {
   const std::string fit = test::fingerpad("fit --help", test::scratch_dir()).out;
   EXPECT_THAT(fit, HasSubstr("--decimal .|, "));
   EXPECT_THAT(fit, HasSubstr("(one of comma, semicolon, tab, bar, blank)"));
-  EXPECT_THAT(fit, HasSubstr("  --force-unit N|mN|kN|gf|kgf\n                            Of forces"));
+  EXPECT_THAT(fit, HasSubstr("  --force-unit N|mN|kN|gf|kgf|cN|lbf\n                            Of forces"));
 }
 
 }  // namespace
