@@ -228,13 +228,15 @@ class SceneLook {
       const auto one = std::find_if(told_.begin(), told_.end(), is_followed);
       if (one != told_.end()) (*object)["motion"] = *one;
     }
+    if (!has_first_) own_["motions"] = told_;
     if (is_set_ && !as_json_) tell_sums();
     if (!all_good) {
       own_["touchable"] = false;
       own_["error"] = is_good ? "a mesh of its jobs is refused" : wrong_[0]["error"];
       own_["refused"] = wrong_;
     }
-    if (as_json_ && (is_of_planes || !is_good)) report_.push_back(own_);
+    const bool is_told_here = is_of_planes || !is_good || (!has_first_ && !told_.empty());
+    if (as_json_ && is_told_here) report_.push_back(own_);
     return all_good;
   }
 

@@ -23,19 +23,19 @@ std::string mesh_keys(const PartEntry& entry);
 /// The same of all parts of a scene, in their order.
 std::string part_keys(const Scene& scene);
 
-/// The meshes of a scene's jobs, each looked at once, however many parts of however many jobs are of it.
+/// The meshes of a scene's jobs, each told once, however many parts of however many jobs are of it.
 class ToldMeshes {
  public:
   /// @param report  where --json tells each
   ToldMeshes(bool as_json, nlohmann::ordered_json& report) : as_json_(as_json), report_(&report) {}
 
-  /// Tells those of a scene's parts that no scene before had. A mesh that stands in the scene twice is told
-  /// for each. @returns whether all of its parts can be touched
+  /// Tells those of a scene's parts that no scene before had. A good mesh that stands in the scene twice is
+  /// told for each. @returns whether all of its parts can be touched
   bool look_at(const Scene& scene);
 
   /// What replay would touch, each part where the scene places it. @pre look_at() has found that all can be
   World world(const Scene& scene);
-  /// The same without the parts' triangles: their verdicts, and what is a plane.
+  /// The same without the parts' triangles: their verdicts.
   World world_in_words(const Scene& scene) const;
   /// Which of the report's objects tell a scene's parts, in their order. @pre as for world(); in JSON
   std::vector<std::size_t> objects(const Scene& scene) const;

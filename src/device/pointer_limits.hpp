@@ -32,9 +32,9 @@ inline constexpr double leash_s = 0.2, leash_gain = 0.02;
 inline constexpr double landing_m_per_s = 0.3, lifting_m_per_s = 0.5;
 /// What no way led to is tried for anew where the eye's direction has turned by more than this [rad].
 inline constexpr double another_view = 0.1;
-/// A press that is let go is made all the same, within so long of its beginning, until it has pressed with
-/// this share of what it asked for.
-inline constexpr double tap_s = 0.3, tap_share = 0.5;
+/// A press that is let go within so long is made all the same, until it has pressed with this share of what
+/// it asked for, or so long after it began: the finger may still be on its way from far off.
+inline constexpr double tap_s = 0.3, tap_share = 0.5, tap_waits_s = 1;
 /// The pointer's pace is told from so much of its way; it leads the finger on by no more than a share of the
 /// parts' size.
 inline constexpr double pace_s = 0.03, most_lead_share = 0.1;

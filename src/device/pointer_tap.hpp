@@ -17,6 +17,7 @@ class PointerTap {
     if (aim.presses()) press_ = aim;
     is_pressed_ = aim.presses();
     asked_s_ += dt_s;
+    if (is_pressed_) held_s_ += dt_s;
     const bool is_firm = felt_n >= pointer_limits::tap_share * press_.finger.push_W_n.norm();
     is_felt_ |= is_firm && was_light_;
     was_light_ |= !is_firm;
@@ -28,12 +29,14 @@ class PointerTap {
 
  private:
   bool has_ended() const noexcept {
-    return !press_.presses() || is_felt_ || asked_s_ > pointer_limits::tap_s;
+    return !press_.presses() || is_felt_ || held_s_ > pointer_limits::tap_s ||
+           asked_s_ > pointer_limits::tap_waits_s;
   }
 
   PointerAim press_;  // the last that pressed; none asks for nothing
   bool is_pressed_ = false;
   double asked_s_ = 0;      // since the press began
+  double held_s_ = 0;       // of that the button was down
   bool was_light_ = false;  // what is felt since then is no longer that of a press before
   bool is_felt_ = false;
 };

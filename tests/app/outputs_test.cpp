@@ -498,6 +498,15 @@ TEST(Check, OfASetWithoutAGoodMeshTellsItsJobsAndMotionsAllTheSame) {
   const auto report = nlohmann::json::parse(test::fingerpad("check s.toml --json", folder).out);
   ASSERT_EQ(report.size(), 3u);
   EXPECT_EQ(report[2]["refused"].size(), 2u);
+  EXPECT_EQ(report[2]["motions"].size(), 2u);
+  // With nothing wrong beside the meshes the motion is told all the same.
+  std::ofstream(folder / "s.toml") << "[[part]]\nmesh = \"one.stl\"\n[motion]\nfile = \"read.csv\"\n"
+                                      "[[set]]\nmesh = [\"one.stl\", \"two.stl\"]\n";
+  const auto good = nlohmann::json::parse(test::fingerpad("check s.toml --json", folder).out);
+  ASSERT_EQ(good.size(), 3u);
+  EXPECT_EQ(good[2]["touchable"], false);
+  ASSERT_EQ(good[2]["motions"].size(), 1u);
+  EXPECT_EQ(good[2]["motions"][0]["name"], "read.csv");
 }
 
 TEST(Check, OfAMeshThatStandsInASceneTwiceKeepsItsPartsApart) {
