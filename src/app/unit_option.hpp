@@ -10,7 +10,7 @@ namespace fingerpad {
 
 /// Adds `--unit`, what one unit of a mesh file is; default mm, as most CAD exports are.
 inline void add_unit_option(CLI::App& command, std::string& unit) {
-  command.add_option("--unit", unit, "What one unit of the mesh file is: m, mm, cm or in")
+  command.add_option("--unit", unit, "What one unit of the mesh file is")
       ->check(one_of(length_unit_names()))
       ->capture_default_str();
 }

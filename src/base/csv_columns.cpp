@@ -17,7 +17,7 @@ std::optional<std::size_t> csv_column(std::string_view header, std::string_view 
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (cells[i] != name) continue;
     if (found) {
-      throw refused(place, fmt::format("names the column '{}' twice, in cells {} and {}: leave one of them",
+      throw refused(place, fmt::format("names the column '{}' twice, in cells {} and {}: rename one of them",
                                        printable(name, 60), *found + 1, i + 1));
     }
     found = i;
@@ -46,7 +46,7 @@ CsvColumns read_csv_columns(const std::string& path, const CsvRequest& request) 
   }
   table.cut = reader.cut();
   table.above = reader.above();
-  table.unread = reader.unread();
+  table.names = reader.names();
   return table;
 }
 

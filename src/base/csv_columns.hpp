@@ -29,7 +29,7 @@ struct CsvColumns {
   char separator = ',';                      ///< that the file has
   std::string cut;    ///< that its last row was left out, where the request wants it so; for people
   std::string above;  ///< that lines above its header were passed over, for people; empty: there are none
-  std::vector<std::string> unread;  ///< what the header names that was not asked for, for people
+  std::vector<std::string> names;  ///< all that the header has
 };
 
 /// What is said of another mark than a comma where only commas are read.
@@ -59,6 +59,9 @@ struct CsvRequest {
   std::string_view xml_mend = {};  ///< likewise where it is XML
   bool takes_gaps = false;         ///< a cell that is empty or nan is not a number, instead of refused
   bool takes_units = false;        ///< a line of units below the header is read, instead of refused
+  /// Where the first line does not name all that is required, the first below that does is the header: what a
+  /// program says above it about its instrument is passed over. See CsvColumns::above.
+  bool takes_lines_above = false;
   std::string_view mark_mend = commas_mend;  ///< see csv_column
   /// How people say the decimal mark, {} in its place: "--decimal {}"; empty: they cannot.
   std::string_view decimal_key = {};
@@ -67,8 +70,7 @@ struct CsvRequest {
 
 /// Reads named columns of a CSV file whose first line is a header; other columns, blank lines and lines that
 /// begin with `#` are passed over. Where the first line that is left is one of numbers, the last line before
-/// it that begins with `#` is the header, as NumPy writes it. Where it does not name all that is required,
-/// the first line that does is the header: what a program says above it about its instrument is passed over.
+/// it that begins with `#` is the header, as NumPy writes it.
 ///
 /// Throws Error (refused, at `file:line`) as csv_column, for a file that cannot be read or is empty, a
 /// missing column (with those that are there), a separator that cannot be found, a row that is short or has

@@ -71,45 +71,75 @@ char separator_of(const CsvHeader& header, const CsvRequest& request) {
   return most_cells < 2 || names_all(header.line, ' ', request.required) ? ' ' : most;
 }
 
-/// The mark that parts a row of numbers: the one under which it has the most cells.
+/// The mark that parts a row of numbers: the one under which it has the most cells. A blank after each comma,
+/// and a tab, part the same cells as blanks.
 char mark_of_numbers(std::string_view line, const CsvDialect& dialect) {
   if (dialect.separator != found_separator) return dialect.separator;
   char best = ' ';
-  for (const char mark : {',', ';', '\t'})
-    if (mark != dialect.decimal && csv_cells(line, mark).size() > csv_cells(line, best).size()) best = mark;
+  std::size_t most = csv_cells(line, best).size();
+  for (const char mark : {',', ';', '\t'}) {
+    const std::size_t cells = mark == dialect.decimal ? 0 : csv_cells(line, mark).size();
+    if (cells < most) continue;
+    best = mark;
+    most = cells;
+  }
   return best;
 }
 
-bool names_required(std::string_view line, const CsvRequest& request) {
+/// Whether a line names all that is required, under one of the marks that may part it.
+bool names_required(std::string_view line, const CsvRequest& request, std::string_view marks) {
   if (request.dialect.separator != found_separator)
     return names_all(line, request.dialect.separator, request.required);
-  return std::ranges::any_of(std::string_view(",;\t "),
-                             [&](char mark) { return names_all(line, mark, request.required); });
+  return std::ranges::any_of(marks, [&](char mark) { return names_all(line, mark, request.required); });
 }
 
 /// A line that may name the columns, and where it stands.
 struct NamingLine {
   std::string line, place;
   long number = 0;
+  bool has_end = true;
+  std::string first_row = {};  ///< CsvHeader::first_row
 };
+NamingLine last_of(const TextLines& lines, std::string_view line) {
+  return {std::string(line), lines.place(), lines.number(), lines.ended()};
+}
 
-/// The first line below `first` that names all that is required. Where none does that is near, the one that
-/// begins the lines of words above the first row of numbers, of as many cells as it: its names can be told.
+/// Of lines of words above a row of numbers, which begins the table: the topmost of those right above it that
+/// have as many cells. The first of all if none has, and where lines between it and the row would be lost to
+/// whoever reads on.
+NamingLine naming_line_of(const std::vector<NamingLine>& words, std::string_view row, char mark,
+                          const CsvRequest& request) {
+  const std::size_t cells = csv_cells(row, mark).size();
+  auto begin = words.end();
+  while (begin != words.begin() && csv_cells(std::prev(begin)->line, mark).size() == cells) --begin;
+  if (begin == words.end()) return words.front();
+  NamingLine found = *begin;
+  if (!names_all(found.line, mark, request.required)) return found;
+  if (std::next(begin) != words.end()) return words.front();
+  found.first_row = row;
+  return found;
+}
+
+/// The first line below `first` that names all that is required; else the one that names the columns of the
+/// first row of numbers, which tells what they are called. So it does where blanks part them: these part any
+/// sentence. `first` where there is neither near by.
 NamingLine look_below(TextLines& lines, NamingLine first, const CsvRequest& request) {
   constexpr int most_lines = 200;  // programs write some dozens about an instrument
+  constexpr std::size_t most_bytes = 64 << 10;
   std::vector<NamingLine> words = {std::move(first)};
+  std::size_t bytes = 0;
   std::string_view line;
-  for (int k = 0; k < most_lines && lines.next(line); ++k) {
+  for (int k = 0; k < most_lines && bytes < most_bytes && lines.next(line); ++k) {
+    bytes += line.size();
+    if (line.find('\0') != std::string_view::npos) break;
     if (is_passed_over(line)) continue;
-    if (names_required(line, request)) return {std::string(line), lines.place(), lines.number()};
-    const char mark = mark_of_numbers(line, request.dialect);
-    const std::size_t cells = csv_cells(line, mark).size();
-    if (is_row_of_numbers(trimmed(line)) && cells >= request.required.size()) {
-      auto begin = words.end();
-      while (begin != words.begin() && csv_cells(std::prev(begin)->line, mark).size() == cells) --begin;
-      return begin == words.end() ? words.front() : *begin;
+    if (names_required(line, request, ",;\t")) return last_of(lines, line);
+    if (is_row_of_numbers(trimmed(line))) {
+      const char mark = mark_of_numbers(line, request.dialect);
+      if (csv_cells(line, mark).size() >= request.required.size())
+        return naming_line_of(words, line, mark, request);
     }
-    words.push_back({std::string(line), lines.place(), lines.number()});
+    words.push_back(last_of(lines, line));
   }
   return words.front();
 }
@@ -121,6 +151,14 @@ bool is_wide_text(std::string_view line) {
   const auto zeros = static_cast<std::size_t>(std::count(line.begin(), line.end(), '\0'));
   return zeros >= fewest && 5 * zeros >= 2 * line.size() &&
          line.find(std::string_view("\0\0", 2)) == line.npos;
+}
+
+/// Of a first line that holds a zero byte, or begins as no text does.
+std::string_view binary_words(std::string_view line) {
+  if (line.starts_with("PK\x03\x04")) return ", but a zip file, as Excel's .xlsx is: save it as CSV";
+  if (line.starts_with("\xd0\xcf\x11\xe0")) return ", but a file of an old Excel: save it as CSV";
+  if (line.starts_with("\x1f\x8b")) return ", but a gzip file: unpack it";
+  return ": it holds a zero byte";
 }
 
 /// What to do about a header whose letters are no UTF-8: no name that is typed in is found in it.
@@ -145,7 +183,7 @@ CsvHeader read_csv_header(TextLines& lines, const CsvRequest& request) {
     if (text.empty()) continue;
     if (text.find('\0') != std::string_view::npos)
       throw refused(lines.where(), is_wide_text(text) ? "is a UTF-16 text: save it as UTF-8 or ASCII"
-                                                      : "is no text: it holds a zero byte");
+                                                      : fmt::format("is no text{}", binary_words(text)));
     if (is_xml(text, request.dialect.separator))
       throw refused(lines.where(), fmt::format("is XML and no table{}{}",
                                                request.xml_mend.empty() ? "" : ": ", request.xml_mend));
@@ -156,15 +194,18 @@ CsvHeader read_csv_header(TextLines& lines, const CsvRequest& request) {
     }
     header.line = line;
     header.place = lines.place();
+    header.has_end = lines.ended();
     if (!trimmed(comment).empty() && is_row_of_numbers(text)) {
       header.first_row = header.line;
       header.line = comment;
       header.place = comment_place;
-    } else if (!names_required(header.line, request)) {
+    } else if (request.takes_lines_above && !names_required(header.line, request, ",;\t ")) {
       const long first = lines.number();
-      const NamingLine below = look_below(lines, {header.line, header.place, first}, request);
+      const NamingLine below = look_below(lines, last_of(lines, line), request);
       header.line = below.line;
       header.place = below.place;
+      header.has_end = below.has_end;
+      header.first_row = below.first_row;
       if (below.number > first)
         header.above =
             fmt::format("its header is line {}, and what stands above that is passed over", below.number);

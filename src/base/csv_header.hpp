@@ -15,6 +15,7 @@ struct CsvHeader {
   char separator = ',';
   std::string first_row;  ///< a row that was read too, the last line of `lines`; empty: none
   std::string above;      ///< CsvColumns::above
+  bool has_end = true;    ///< its line, and not the file's last that just stops
 };
 
 /// Whether a line is one that no table counts: blank, or a comment.

@@ -103,17 +103,52 @@ void refuse_uneven_units(const Row& row, const std::vector<Wanted>& wanted, std:
                             row.cells.size(), header_cells));
 }
 
-void refuse_units(const Row& row, const std::vector<Wanted>& wanted) {
-  throw refused(row.lines.place(),
-                fmt::format("is a second line of words ('{}' in column '{}'), and a row of units "
-                            "is not read here: put # before it, and see that the columns are in the units "
-                            "that are asked for",
-                            printable(row.cells[wanted.front().cell], 40), wanted.front().name));
+/// @param has_units  a row of units stands above it
+void refuse_units(const Row& row, const std::vector<Wanted>& wanted, bool has_units) {
+  throw refused(
+      row.lines.place(),
+      fmt::format("is {} line of words ('{}' in column '{}'){}", has_units ? "one more" : "a second",
+                  printable(row.cells[wanted.front().cell], 40), wanted.front().name,
+                  has_units ? ", below that of the units: put # before it"
+                            : ", and a row of units is not read here: put # before it, and see that "
+                              "the columns are in the units that are asked for"));
+}
+
+/// A row that ends within its cells may have been cut within the last of them, whose number is then another.
+void refuse_short_row(const Row& row, const std::vector<Wanted>& wanted, std::size_t header_cells) {
+  const std::size_t cells = row.cells.size();
+  const auto last = std::ranges::find(wanted, cells - 1, &Wanted::cell);
+  if (cells >= header_cells || last == wanted.end() || row.cells.back().empty()) return;
+  throw refused(
+      row.lines.place(),
+      fmt::format("ends at its cell {} of {}, and the number there, of column '{}', may be cut: leave "
+                  "the row out, or fill it",
+                  cells, header_cells, printable(last->name, 60)));
+}
+
+/// "4,000" and "-12,345,678" with a comma: there may be no decimal mark in it.
+bool parts_thousands(std::string_view cell, char mark) {
+  if (cell.starts_with('-') || cell.starts_with('+')) cell.remove_prefix(1);
+  const std::size_t first = cell.find(mark);
+  if (first == 0 || first > 3 || cell.front() == '0') return false;
+  for (std::size_t at = first; at < cell.size(); at += 4) {
+    if (cell[at] != mark || cell.size() - at < 4) return false;
+    for (std::size_t k = 1; k < 4; ++k)
+      if (std::isdigit(static_cast<unsigned char>(cell[at + k])) == 0) return false;
+  }
+  return true;
 }
 
 /// What would mend a cell that is no number; empty where nothing is known.
 std::string mend_of(std::string_view cell, char decimal, std::string_view decimal_key) {
+  if (cell.find(':') != std::string_view::npos)
+    return "; a time of day is not read: write seconds, from wherever you like";
   const char other = decimal == '.' ? ',' : '.';
+  if (parts_thousands(cell, other))
+    return fmt::format("; if {} parts thousands in it, take it out of all cells", other) +
+           (decimal_key.empty()
+                ? ""
+                : fmt::format("; only if it is a decimal mark, say {}", said_decimal(decimal_key, other)));
   if (csv_number(cell, other))
     return decimal_key.empty() ? fmt::format("; its decimal mark must be {}", decimal)
                                : fmt::format("; with {} it would be one", said_decimal(decimal_key, other));
@@ -167,7 +202,7 @@ CsvRowReader::CsvRowReader(const std::string& path, const CsvRequest& request)
       takes_gaps_(request.takes_gaps),
       leaves_out_cut_row_(request.leaves_out_cut_row) {
   const CsvHeader header = read_csv_header(lines_, request);
-  if (leaves_out_cut_row_ && !lines_.ended() && header.first_row.empty())
+  if (leaves_out_cut_row_ && !header.has_end && header.first_row.empty())
     throw refused(lines_.where(),
                   fmt::format("ends within its header (line {}): no row of it is left; make it again",
                               lines_.number()));
@@ -183,9 +218,11 @@ CsvRowReader::CsvRowReader(const std::string& path, const CsvRequest& request)
     if (!cell && k < request.required.size()) throw missing_column(header, names[k], request);
     if (cell) wanted_.push_back({std::string(names[k]), *cell, k});
   }
-  for (const std::string_view cell : csv_cells(header.line, header.separator))
+  for (const std::string_view cell : csv_cells(header.line, header.separator)) {
+    names_.emplace_back(cell);
     if (!cell.empty() && std::find(names.begin(), names.end(), cell) == names.end())
       unread_.push_back(printable(cell, 60));
+  }
   numbers_.resize(names.size());
   if (request.takes_units) take_units();
 }
@@ -215,9 +252,10 @@ void CsvRowReader::take(std::string_view line) {
   split_csv(line, separator_, cells_);
   const Row row{lines_, cells_, decimal_key_};
   if (rows_ == 0 && wanted_.front().cell < cells_.size() && is_row_of_units(cells_, wanted_, decimal_))
-    refuse_units(row, wanted_);
+    refuse_units(row, wanted_, !units_.place.empty());
   refuse_extra_cells(row, header_cells_, separator_);
   for (const Wanted& column : wanted_) numbers_[column.index] = number_in(row, column, decimal_, takes_gaps_);
+  refuse_short_row(row, wanted_, header_cells_);
   ++rows_;
 }
 

@@ -32,6 +32,7 @@ class CsvRowReader {
   const UnitRow& units() const noexcept { return units_; }
   const std::string& cut() const noexcept { return cut_; }      ///< CsvColumns::cut, after the last row
   const std::string& above() const noexcept { return above_; }  ///< CsvColumns::above
+  const std::vector<std::string>& names() const noexcept { return names_; }  ///< CsvColumns::names
   /// What the header names that is not asked for, for people.
   const std::vector<std::string>& unread() const noexcept { return unread_; }
 
@@ -51,7 +52,7 @@ class CsvRowReader {
   std::size_t header_cells_ = 0, rows_ = 0;
   std::vector<Wanted> wanted_;
   std::vector<bool> present_;
-  std::vector<std::string> unread_;
+  std::vector<std::string> names_, unread_;
   std::vector<std::string_view> cells_;  // of the row under way
   std::vector<double> numbers_;
 };

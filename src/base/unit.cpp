@@ -38,13 +38,16 @@ struct Spelling {
   std::string_view written, name;
 };
 constexpr Spelling spellings[] = {
-    {"sec", "s"},      {"second", "s"},   {"seconds", "s"},      {"msec", "ms"},        {"usec", "us"},
-    {"nsec", "ns"},    {"minute", "min"}, {"minutes", "min"},    {"metre", "m"},        {"metres", "m"},
-    {"meter", "m"},    {"meters", "m"},   {"millimetres", "mm"}, {"millimeters", "mm"}, {"newton", "N"},
-    {"newtons", "N"},  {"\u00b5s", "us"}, {"\u03bcs", "us"},     {"\xb5s", "us"},       {"inch", "in"},
-    {"\u00b5m", "um"}, {"\u03bcm", "um"}, {"\xb5m", "um"},       {"micrometres", "um"}, {"micrometers", "um"},
-    {"Nm", "N.m"},     {"N m", "N.m"},    {"N*m", "N.m"},        {"N\u00b7m", "N.m"},   {"Nmm", "N.mm"},
-    {"N mm", "N.mm"},  {"N*mm", "N.mm"},  {"N\u00b7mm", "N.mm"}};
+    {"sec", "s"},          {"second", "s"},       {"seconds", "s"},  {"msec", "ms"},
+    {"usec", "us"},        {"nsec", "ns"},        {"minute", "min"}, {"minutes", "min"},
+    {"metre", "m"},        {"metres", "m"},       {"meter", "m"},    {"meters", "m"},
+    {"millimetres", "mm"}, {"millimeters", "mm"}, {"newton", "N"},   {"newtons", "N"},
+    {"\u00b5s", "us"},     {"\u03bcs", "us"},     {"\xb5s", "us"},   {"inch", "in"},
+    {"\u00b5m", "um"},     {"\u03bcm", "um"},     {"\xb5m", "um"},   {"micrometres", "um"},
+    {"micrometers", "um"}, {"g", "gf"},           {"gram", "gf"},    {"grams", "gf"},
+    {"kg", "kgf"},         {"lbs", "lbf"},        {"lb", "lbf"},     {"inches", "in"},
+    {"Nm", "N.m"},         {"N m", "N.m"},        {"N*m", "N.m"},    {"N\u00b7m", "N.m"},
+    {"Nmm", "N.mm"},       {"N mm", "N.mm"},      {"N*mm", "N.mm"},  {"N\u00b7mm", "N.mm"}};
 
 /// "mm/s" of "mm s^-1", "mm.s-1" and the like; any other word as it is.
 std::string with_stroke(std::string_view word) {
@@ -67,6 +70,13 @@ std::string_view quantity_words(Quantity quantity) noexcept {
   return words[static_cast<std::size_t>(quantity)];
 }
 
+bool is_other_unit(std::string_view word) {
+  constexpr std::string_view others[] = {"ft",  "foot",  "feet",   "yd",     "dm",    "km", "nm",
+                                         "mil", "V",     "mV",     "volt",   "volts", "oz", "ozf",
+                                         "px",  "pixel", "pixels", "counts", "a.u.",  "%"};
+  return std::ranges::find(others, word) != std::end(others);
+}
+
 std::string_view listed_unit(Quantity quantity, std::string_view word) {
   const std::vector<NamedUnit> units = units_of(quantity);
   for (const Spelling& spelling : spellings)
@@ -77,7 +87,12 @@ std::string_view listed_unit(Quantity quantity, std::string_view word) {
 
 std::optional<double> si_per_unit(Quantity quantity, std::string_view word) {
   word = listed_unit(quantity, word);
-  const std::string stroke = quantity == Quantity::speed ? with_stroke(word) : std::string(word);
+  std::string stroke(word);
+  if (quantity == Quantity::speed) {
+    stroke = with_stroke(word);
+    const std::size_t length = std::min(stroke.find('/'), stroke.size());
+    stroke.replace(0, length, listed_unit(Quantity::length, std::string_view(stroke).substr(0, length)));
+  }
   for (const NamedUnit& unit : units_of(quantity))
     if (unit.name == stroke) return unit.factor;
   return std::nullopt;

@@ -29,8 +29,13 @@ struct ForceUnit {
   std::string_view name;
   double newtons;
 };
-inline constexpr std::array<ForceUnit, 5> force_units{
-    {{"N", 1}, {"mN", 1e-3}, {"kN", 1e3}, {"gf", 9.80665e-3}, {"kgf", 9.80665}}};
+inline constexpr std::array<ForceUnit, 7> force_units{{{"N", 1},
+                                                       {"mN", 1e-3},
+                                                       {"kN", 1e3},
+                                                       {"gf", 9.80665e-3},
+                                                       {"kgf", 9.80665},
+                                                       {"cN", 1e-2},
+                                                       {"lbf", 4.4482216152605}}};
 
 /// What one unit of a measured torque may be.
 struct TorqueUnit {
@@ -48,6 +53,8 @@ std::string_view quantity_words(Quantity quantity) noexcept;
 std::optional<double> si_per_unit(Quantity quantity, std::string_view word);
 /// What units above call the unit that people write so: "us" of a time's "µs"; any other word as it is.
 std::string_view listed_unit(Quantity quantity, std::string_view word);
+/// Whether a word is a unit that people measure in and none that si_per_unit knows: "ft", "V", "pixels".
+bool is_other_unit(std::string_view word);
 /// "s, ms, us, ns, min".
 std::string unit_list(Quantity quantity);
 

@@ -24,22 +24,46 @@ bool is_unitless(std::string_view word) {
   return word.empty() || word == "-" || word == "1";
 }
 
-}  // namespace
-
-std::string_view unit_word(std::string_view name) {
-  constexpr std::string_view none;
+/// What a column's name ends in that may be a unit: "mm" of "X [mm]" and "x (mm)"; else what stands behind
+/// its last "_", "/", comma or blank.
+std::vector<std::string_view> unit_words(std::string_view name) {
   if (name.ends_with(']') || name.ends_with(')')) {
     const std::size_t open = name.rfind(name.back() == ']' ? '[' : '(');
-    return open == std::string_view::npos ? none : name.substr(open + 1, name.size() - open - 2);
+    if (open == std::string_view::npos) return {};
+    return {trimmed(name.substr(open + 1, name.size() - open - 2))};
   }
-  const std::size_t bar = name.rfind('_');
-  return bar == std::string_view::npos ? none : name.substr(bar + 1);
+  std::vector<std::string_view> words;
+  for (const char mark : {'_', '/', ',', ' '})
+    if (const std::size_t at = name.rfind(mark); at != std::string_view::npos)
+      words.push_back(trimmed(name.substr(at + 1)));
+  return words;
 }
+
+}  // namespace
 
 std::optional<double> unit_in_name(Quantity quantity, std::string_view name) {
   if (unit_in_ending(name) == si_symbols[static_cast<std::size_t>(quantity)]) return 1;
-  const std::string_view word = unit_word(name);
-  return word.empty() ? std::nullopt : si_per_unit(quantity, word);
+  for (const std::string_view word : unit_words(name))
+    if (const auto si = si_per_unit(quantity, word)) return si;
+  return std::nullopt;
+}
+
+void refuse_named_unit(const std::string& path, std::string_view name, const UnitGroup& group) {
+  if (group.is_said || unit_in_ending(name) == si_symbols[static_cast<std::size_t>(group.quantity)]) return;
+  const std::string column = fmt::format("has the column '{}', whose name says", printable(name, 60));
+  for (const std::string_view word : unit_words(name)) {
+    const auto si = si_per_unit(group.quantity, word);
+    if (si && *si == group.si_per_unit) return;
+    if (si)
+      throw refused(path, fmt::format("{} a unit that is not said: say {}, \"{}\" if it is right", column,
+                                      group.option, listed_unit(group.quantity, word)));
+    if (is_other_unit(word))
+      throw refused(path,
+                    fmt::format("{} the unit '{}', and of a {} these are known: {}; turn its numbers into "
+                                "one of them, and say {}",
+                                column, printable(word, 20), quantity_words(group.quantity),
+                                unit_list(group.quantity), group.option));
+  }
 }
 
 std::optional<double> told_unit(const UnitRow& row, const std::vector<std::string_view>& names,

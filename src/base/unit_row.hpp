@@ -20,12 +20,8 @@ struct UnitGroup {
   std::string option;  ///< how that is said, for people: "--unit"; empty: it cannot be said
 };
 
-/// What a column's name ends in that may be a unit: "mm" of "x_mm", "X [mm]" and "x (mm)"; empty where
-/// nothing may be.
-std::string_view unit_word(std::string_view name);
-
-/// The unit that a column's name ends in, in SI, as x_m and tx_n_m of the program's own tables, x_mm, f_mN
-/// and X [mm] of others.
+/// The unit that a column's name ends in, in SI, as x_m and tx_n_m of the program's own tables, x_mm, f_mN,
+/// X [mm], x/mm (ISO 80000) and "X, mm" of others.
 std::optional<double> unit_in_name(Quantity quantity, std::string_view name);
 
 /// What a row of units tells, in SI, by Quantity; nothing where it has no word for it.
@@ -38,6 +34,12 @@ using ToldUnits = std::array<std::optional<double>, quantities>;
 /// @param names  of the columns, as UnitRow::words has them
 std::optional<double> told_unit(const UnitRow& row, const std::vector<std::string_view>& names,
                                 const UnitGroup& group);
+
+/// A column named x_mm is not to be taken for metres because nobody said a unit. Throws Error (refused, at
+/// `path`) for one whose name says another unit than the group's, unless that is said, and for one of a unit
+/// that is not known.
+/// @param name  one of the group's columns
+void refuse_named_unit(const std::string& path, std::string_view name, const UnitGroup& group);
 
 /// "units as the line below its header has them: a time is 0.001 s, a force 9.80665 N", for people; empty
 /// where the row tells none.

@@ -26,7 +26,7 @@ RecordedTable read_table(const std::string& path, RecordingFormat& format) {
                          ? "say which of them stands for what, as in [motion] columns = { t = \"time\", "
                            "fn = \"press\" }, whose fn is the normal force"
                          : "say which of them stands for what, as in [motion] columns = { t = \"time\" }"};
-  request.takes_units = true;
+  request.takes_units = request.takes_lines_above = true;
   request.mark_mend = separator_mend;
   request.decimal_key = "decimal = \"{}\" in [motion]";
   request.leaves_out_cut_row = format.ends_each_row;
@@ -38,7 +38,7 @@ RecordedTable read_table(const std::string& path, RecordingFormat& format) {
   format.dialect.separator = table.separator;
   format.cut = table.cut;
   format.above = table.above;
-  format.unread = table.unread;
+  format.names = table.names;
   return recorded_table(path, std::move(table.columns), std::move(table.lines), asked, table.units, format);
 }
 

@@ -37,7 +37,7 @@ OpenUnits table_units(const std::string& path, const RecordingFormat& format, co
   constexpr std::string_view options[] = {"time_unit (--time-unit)", "unit (--unit)",
                                           "force_unit (--force-unit)", "--torque-unit", ""};
   constexpr std::string_view open[] = {
-      "", "the unit of its positions: say unit = \"mm\" (or m, cm, in) in [motion], or --unit", "",
+      "", "the unit of its positions: say unit = \"mm\" (or m, cm, in, um) in [motion], or --unit", "",
       "the unit of its torques: say --torque-unit", "the unit of its positions: say --unit"};
   const bool is_said[] = {format.says_time_unit, format.says_unit, format.says_force_unit,
                           format.says_torque_unit, false};
@@ -88,7 +88,7 @@ ClockedValues clocked_columns(const std::string& path, const RecordingFormat& fo
   keys.insert(keys.end(), wanted.begin(), wanted.end());
   CsvRequest request;
   request.dialect = format.dialect;
-  request.takes_units = true;
+  request.takes_units = request.takes_lines_above = true;
   request.mark_mend = separator_mend;
   request.decimal_key = "decimal = \"{0}\" in [motion] (fit: --decimal {0})";
   for (const std::string_view key : keys) request.required.push_back(named_column(format, key));
@@ -97,8 +97,9 @@ ClockedValues clocked_columns(const std::string& path, const RecordingFormat& fo
   OpenUnits units = table_units(path, format, layout, keys, request, table.units);
   for (std::size_t q = 0; q < quantities; ++q)
     if (units.told[q]) recording.told_units[q] = units.told[q];
-  if (const std::string words = told_units_words(units.told); !words.empty())
-    recording.notes.push_back(format.positions_path.empty() ? words : fmt::format("{}: {}", what, words));
+  for (const std::string& words : {table.above, told_units_words(units.told)})
+    if (!words.empty())
+      recording.notes.push_back(format.positions_path.empty() ? words : fmt::format("{}: {}", what, words));
   ClockedValues read{std::move(what), table.columns.front(), {}};
   for (double& t_s : read.t_s) t_s *= units.of(Quantity::time);
   read.values.resize(static_cast<Eigen::Index>(wanted.size()), static_cast<Eigen::Index>(read.t_s.size()));

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <initializer_list>
 #include <optional>
 #include <utility>
@@ -46,27 +47,18 @@ void keep_one_trial(const RecordingFormat& format, RecordedTable& table) {
                                         format.trial ? fmt::format(" trial {}", *format.trial) : ""));
 }
 
-/// A column named x_mm is not to be taken for metres because nobody said a unit.
-void refuse_named_unit(const std::string& path, const AskedColumns& asked, Quantity quantity,
-                       std::size_t column, double si_per_unit, const char* option) {
-  const auto named = unit_in_name(quantity, asked.names[column]);
-  if (!named || *named == si_per_unit) return;
-  const std::string_view name = asked.names[column];
-  throw refused(path, fmt::format("has the column '{}', whose name says a unit that is not said: say {} in "
-                                  "[motion], \"{}\" if it is right",
-                                  printable(name, 60), option, printable(unit_word(name), 20)));
-}
-
 void refuse_named_units(const std::string& path, const AskedColumns& asked, const RecordingFormat& format) {
   for (std::size_t k = 0; k < asked.places.size(); ++k) {
     const std::size_t place = asked.places[k];
-    if (place == 0 && !format.says_time_unit)
-      refuse_named_unit(path, asked, Quantity::time, k, format.seconds_per_unit, "time_unit");
-    if (place >= place_of_x && place < place_of_x + 3 && !format.says_unit)
-      refuse_named_unit(path, asked, Quantity::length, k, format.metres_per_unit, "unit");
-    const bool is_force = (place >= place_of_fx && place < place_of_fx + 3) || place == place_of_fn;
-    if (is_force && !format.says_force_unit)
-      refuse_named_unit(path, asked, Quantity::force, k, format.newtons_per_unit, "force_unit");
+    const auto refuse = [&](Quantity quantity, bool is_said, double si_per_unit, const char* option) {
+      refuse_named_unit(path, asked.names[k], {quantity, {}, is_said, si_per_unit, option});
+    };
+    if (place == 0)
+      refuse(Quantity::time, format.says_time_unit, format.seconds_per_unit, "time_unit in [motion]");
+    if (place >= place_of_x && place < place_of_x + 3)
+      refuse(Quantity::length, format.says_unit, format.metres_per_unit, "unit in [motion]");
+    if ((place >= place_of_fx && place < place_of_fx + 3) || place == place_of_fn)
+      refuse(Quantity::force, format.says_force_unit, format.newtons_per_unit, "force_unit in [motion]");
   }
 }
 
@@ -95,6 +87,16 @@ void take_units(const std::string& path, const UnitRow& row, const AskedColumns&
 }
 
 }  // namespace
+
+std::vector<std::string> trial_names(const std::vector<std::string>& header) {
+  std::vector<std::string> found;
+  for (const std::string& name : header) {
+    std::string word(trimmed(name));
+    for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (word.starts_with("trial") || word.starts_with("subject")) found.push_back(printable(name, 60));
+  }
+  return found;
+}
 
 AskedColumns asked_columns(const RecordingFormat& format) {
   AskedColumns asked;

@@ -12,6 +12,9 @@
 
 namespace fingerpad {
 
+/// Those names of a header that by their words number trials or subjects: "Trial No", "subject".
+std::vector<std::string> trial_names(const std::vector<std::string>& header);
+
 /// Which of recording_columns a recording is asked for.
 struct AskedColumns {
   std::vector<std::size_t> places;      ///< in recording_columns; those that must be there come first

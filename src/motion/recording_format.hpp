@@ -42,11 +42,11 @@ struct RecordingFormat {
   CsvDialect dialect = {found_separator, '.'};
   bool reads_normal_force = false;  ///< the column fn must be there; else it is passed over, if not named
 
-  bool ends_each_row = false;       ///< its writer does: a last row without a line end was cut short
-  std::string cut, above;           ///< of FieldRecording::read_as: as of CsvColumns
-  std::vector<std::string> unread;  ///< likewise
-  std::string name;                 ///< of a row of field_formats(); empty: a table of the program's own kind
-  std::string positions_path;       ///< positions with a clock of their own; empty: in the file itself
+  bool ends_each_row = false;      ///< its writer does: a last row without a line end was cut short
+  std::string cut, above;          ///< of FieldRecording::read_as: as of CsvColumns
+  std::vector<std::string> names;  ///< likewise
+  std::string name;                ///< of a row of field_formats(); empty: a table of the program's own kind
+  std::string positions_path;      ///< positions with a clock of their own; empty: in the file itself
   bool says_unit = false, says_time_unit = false;  ///< else a named format's own units hold
   std::optional<int> subject, trial;               ///< the rows of these alone, by the columns of their names
   bool forces_on_surface = false;  ///< fx,fy,fz are the load on the surface, not on the finger

@@ -1,5 +1,6 @@
 #include "study/measured_units.hpp"
 
+#include <algorithm>
 #include <initializer_list>
 #include <utility>
 
@@ -7,7 +8,8 @@
 
 namespace fingerpad {
 
-ToldUnits take_measured_units(const UnitRow& row, const std::vector<std::string_view>& names,
+ToldUnits take_measured_units(const std::string& path, const UnitRow& row,
+                              const std::vector<std::string_view>& names,
                               const std::vector<std::size_t>& places, MeasurementFormat& format) {
   ToldUnits told;
   const auto take = [&](Quantity quantity, std::initializer_list<std::pair<MeasuredColumn, std::size_t>> runs,
@@ -18,6 +20,11 @@ ToldUnits take_measured_units(const UnitRow& row, const std::vector<std::string_
         const auto place = static_cast<std::size_t>(first);
         if (places[k] >= place && places[k] < place + count) group.columns.push_back(k);
       }
+    }
+    const auto is_told = [&row](std::size_t k) { return k < row.words.size() && !row.words[k].empty(); };
+    if (std::ranges::none_of(group.columns, is_told)) {
+      for (const std::size_t k : group.columns) refuse_named_unit(path, names[k], group);
+      return;
     }
     told[static_cast<std::size_t>(quantity)] = told_unit(row, names, group);
     si_per_unit = told[static_cast<std::size_t>(quantity)].value_or(si_per_unit);

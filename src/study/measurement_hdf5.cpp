@@ -34,7 +34,7 @@ ToldUnits told_units(const std::string& path, const std::vector<std::string>& na
   std::vector<std::size_t> places(names.size());
   std::iota(places.begin(), places.end(), std::size_t{0});
   const UnitRow row{std::move(units), path, UnitSource::attributes};
-  return take_measured_units(row, {names.begin(), names.end()}, places, format);
+  return take_measured_units(path, row, {names.begin(), names.end()}, places, format);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "base/error.hpp"
 #include "base/nearest_word.hpp"
 #include "base/printable_text.hpp"
+#include "motion/recorded_table.hpp"
 #include "study/measured_row.hpp"
 #include "study/measured_units.hpp"
 #include "study/own_trace.hpp"
@@ -32,7 +33,7 @@ void read_measured_table(const std::string& path, const MeasurementFormat& forma
                          RecordedMeasurement& into) {
   CsvRequest request;
   request.dialect = format.dialect;
-  request.takes_gaps = request.takes_units = true;
+  request.takes_gaps = request.takes_units = request.takes_lines_above = true;
   request.mark_mend = separator_mend;
   request.decimal_key = "--decimal {}";
   request.leaves_out_cut_row = true;
@@ -42,16 +43,21 @@ void read_measured_table(const std::string& path, const MeasurementFormat& forma
   request.xml_mend = "the Penn Haptic Texture Toolkit's is read with --reader hatt";
   const std::vector<std::size_t> asked = asked_columns(format, request);
   CsvRowReader table(path, request);
+  if (!table.above().empty()) refuse_trace_below(path, table.names());
   std::vector<bool> present(measurement_columns.size());
   for (std::size_t k = 0; k < asked.size(); ++k) present[asked[k]] = table.present()[k];
   MeasurementFormat read_as = format;
   std::vector<std::string_view> names = request.required;
   names.insert(names.end(), request.optional.begin(), request.optional.end());
-  const ToldUnits told = take_measured_units(table.units(), names, asked, read_as);
+  const ToldUnits told = take_measured_units(path, table.units(), names, asked, read_as);
   into.told_units[path] = told;
   if (const std::string words = told_units_words(told); !words.empty())
     into.notes.push_back(fmt::format("{}: {}", path, words));
   if (!table.above().empty()) into.notes.push_back(fmt::format("{}: {}", path, table.above()));
+  for (const std::string& name : trial_names(table.unread()))
+    into.notes.push_back(
+        fmt::format("{}: the column '{}' is not read: where it numbers trials, say --columns \"trial={}\"",
+                    path, name, name));
   if (is_own_csv_trace(path)) into.notes.push_back(fmt::format("{}: {}", path, own_trace_words));
   const RowReader rows(path, read_as, present);
   std::string missing = rows.missing_force();

@@ -75,7 +75,7 @@ void doubt_positions(FileTrials trials, const MeasurementFormat& format, std::ve
   }
   if (!format.says_unit && way_m > refused_m) {
     doubts.push_back(
-        {true, fmt::format("taken as metres, its positions reach over {} m: say --unit mm (or cm, in), "
+        {true, fmt::format("taken as metres, its positions reach over {} m: say --unit mm (or cm, in, um), "
                            "or --unit m if they are metres",
                            rounded_text(way_m, 3))});
     return;

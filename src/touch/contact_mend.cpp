@@ -223,12 +223,12 @@ std::string better_words(const std::vector<Tried>& tried, const Left& as_it_is) 
 std::string not_enough_words(const std::vector<Tried>& tried, const Left& as_it_is) {
   for (const Tried& one : tried) {
     if (one.left.is_facets_alone())
-      return fmt::format("not even {} with facets {} times smaller would keep it", one.change.words,
+      return fmt::format("{} with facets {} times smaller would not keep it either", one.change.words,
                          most_times_finer);
   }
   if (!tried.empty()) return "no change that was tried would keep it";
   return as_it_is.is_facets_alone()
-             ? fmt::format("not even facets {} times smaller would keep it", most_times_finer)
+             ? fmt::format("facets {} times smaller would not keep it either", most_times_finer)
              : "nothing is known that would";
 }
 

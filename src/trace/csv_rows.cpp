@@ -199,14 +199,27 @@ bool is_partial_csv_trace(const std::string& path) {
   return is_partial({names.begin(), names.end()}) && !has_every_column(names);
 }
 
-bool is_own_csv_trace(const std::string& path) {
-  const std::vector<std::string> names = header_names(path);
+namespace {
+
+bool is_of_own_trace(const std::vector<std::string>& names) {
   const auto is_of_a_recording = [](const std::string& name) {
     return std::ranges::any_of(recording_columns,
                                [&name](const RecordingColumn& column) { return column.header == name; });
   };
   return has_every_column(names) ||
          (is_partial({names.begin(), names.end()}) && !std::ranges::all_of(names, is_of_a_recording));
+}
+
+}  // namespace
+
+bool is_own_csv_trace(const std::string& path) {
+  return is_of_own_trace(header_names(path));
+}
+
+void refuse_trace_below(const std::string& path, const std::vector<std::string>& header) {
+  if (is_of_own_trace(header))
+    throw refused(path,
+                  "is a trace of this program below other lines: take those out, and it is read as a trace");
 }
 
 std::uint64_t every_of_csv(const std::string& path) {

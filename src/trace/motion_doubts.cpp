@@ -1,5 +1,6 @@
 #include "trace/motion_doubts.hpp"
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <initializer_list>
@@ -54,18 +55,15 @@ std::string other_force_unit_in_name(const RecordingFormat& format) {
 
 /// "q0", "Q3", "q_w", "quat_x", "roll", "yaw [deg]".
 bool names_a_turn(std::string_view name) {
+  // Without its unit; more words behind it say that it is something else, as a rate.
+  const std::string_view bare = trimmed(name.substr(0, name.find_first_of("[(")));
   std::string word;
-  for (const char c : name) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (std::isalnum(byte) == 0) {
-      if (c == '_' || c == '.') continue;
-      break;
-    }
-    word += static_cast<char>(std::tolower(byte));
-  }
+  for (const char c : bare)
+    if (c != '_' && c != '.') word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   for (const std::string_view angle : {"roll", "pitch", "yaw"})
     for (const std::string_view unit : {"", "deg", "rad"})
       if (word == std::string(angle).append(unit)) return true;
+  if (word.starts_with("rotation")) return true;
   return (word.size() == 2 && word[0] == 'q' &&
           std::string_view("01234wxyz").find(word[1]) != std::string_view::npos) ||
          word.starts_with("quat");
@@ -102,17 +100,55 @@ void warn_of_named_units(MotionReading& reading) {
         "unit");
 }
 
-void note_unread_attitude(MotionReading& reading, const std::vector<std::string>& unread) {
+void note_unread_attitude(MotionReading& reading, const std::vector<std::string>& names) {
   const Motion& motion = reading.motion;
   if (!motion.attitude.empty() || motion.direction_W.cols() > 0) return;
   std::vector<std::string> turns;
-  for (const std::string& name : unread)
-    if (names_a_turn(name)) turns.push_back(name);
+  for (const std::string& name : names)
+    if (names_a_turn(name)) turns.push_back(printable(name, 60));
   if (turns.empty()) return;
   reading.note(fmt::format(
       "{} {} not read: an orientation is read of qw, qx, qy and qz, or dx, dy and dz; where they are called "
       "otherwise, say columns = {{ qw = \"NAME\", ... }} in [motion]",
       word_list(turns), turns.size() == 1 ? "is" : "are"));
+}
+
+void note_unread_trials(MotionReading& reading, const std::vector<std::string>& names) {
+  const RecordingFormat& format = reading.settings.format;
+  if (format.trial || format.subject) return;
+  for (const std::string& name : trial_names(names))
+    reading.note(fmt::format(
+        "the column '{}' is not read: all rows are one motion; where it numbers several, say trial = N (or "
+        "subject = N), and columns = {{ trial = \"NAME\" }} where it is called otherwise, in [motion]",
+        name));
+}
+
+void warn_of_leaps(MotionReading& reading) {
+  constexpr double quick_m_per_s = 3, times_usual = 20;
+  const Motion& motion = reading.motion;
+  std::vector<double> moving, all;
+  for (std::size_t i = 1; i < motion.t_s.size(); ++i) {
+    const auto column = static_cast<Eigen::Index>(i);
+    const double speed_m_per_s =
+        (motion.p_WQ.col(column) - motion.p_WQ.col(column - 1)).norm() / (motion.t_s[i] - motion.t_s[i - 1]);
+    all.push_back(speed_m_per_s);
+    if (speed_m_per_s > 0) moving.push_back(speed_m_per_s);
+  }
+  if (moving.empty()) return;
+  const auto middle = moving.begin() + static_cast<std::ptrdiff_t>(moving.size() / 2);
+  std::nth_element(moving.begin(), middle, moving.end());
+  const double least_m_per_s = std::max(quick_m_per_s, times_usual * *middle);
+  const auto leaps = std::ranges::count_if(all, [&](double speed) { return speed > least_m_per_s; });
+  if (leaps == 0 || 20 * leaps > static_cast<std::ptrdiff_t>(all.size())) return;
+  const auto first = static_cast<std::size_t>(
+      std::ranges::find_if(all, [&](double speed) { return speed > least_m_per_s; }) - all.begin());
+  reading.warn(fmt::format(
+      "its finger leaps by {} mm within {} ms at t = {} s{}: are rows wrong there, as where a tracker has "
+      "lost it? Leave such rows out",
+      rounded_text(1e3 * all[first] * (motion.t_s[first + 1] - motion.t_s[first]), 3),
+      rounded_text(1e3 * (motion.t_s[first + 1] - motion.t_s[first]), 3),
+      rounded_text(motion.t_s[first + 1], 6),
+      leaps == 1 ? "" : fmt::format(", and at {} more of its steps", leaps - 1)));
 }
 
 void warn_of_one_sample(MotionReading& reading) {
@@ -164,7 +200,7 @@ void warn_of_quick_clock(MotionReading& reading) {
     if (speed_m_per_s > too_quick_m_per_s)
       reading.warn(
           fmt::format("its finger goes at {} m/s on average, as none does: are its positions and "
-                      "its times in the units that are said?",
+                      "its times in the units that they are taken in?",
                       rounded_text(speed_m_per_s, 3)));
     return;
   }

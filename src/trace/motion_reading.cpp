@@ -81,7 +81,10 @@ FieldRecording read_table_of_text(MotionReading& reading) {
   reading.says_force_unit = format.ends_each_row || !asks_for_key(format.name, "force_unit") ||
                             recording.told_units[static_cast<std::size_t>(Quantity::force)].has_value();
   if (!recording.read_as.cut.empty()) reading.warn(recording.read_as.cut);
-  if (!recording.read_as.above.empty()) reading.note(recording.read_as.above);
+  if (!recording.read_as.above.empty()) {
+    refuse_trace_below(path, recording.read_as.names);
+    reading.note(recording.read_as.above);
+  }
   warn_of_thinned(reading, every_of_csv(path));
   return recording;
 }
@@ -127,7 +130,8 @@ void read_file(MotionReading& reading) {
     throw refused(settings.file_path,
                   "holds no normal force, which normal_force = \"measured\" asks for: where its column is "
                   "called otherwise than fn_n, say columns = { fn = \"NAME\" } in [motion]");
-  note_unread_attitude(reading, recording.read_as.unread);
+  note_unread_attitude(reading, recording.read_as.names);
+  note_unread_trials(reading, recording.read_as.names);
   const std::string how = reading_text(recording.read_as);
   if (!how.empty()) reading.note(how);
   for (const std::string& note : recording.notes) reading.note(note);

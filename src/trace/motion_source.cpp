@@ -52,6 +52,7 @@ LoadedMotion load_motion(const Scene& scene, MeshStore& meshes) {
   reading.clock = recording_clock(reading.motion.t_s);
   warn_of_named_units(reading);
   warn_of_one_sample(reading);
+  warn_of_leaps(reading);
   warn_of_slow_clock(reading);
   warn_of_quick_clock(reading);
   if (settings.has_own_rate() || is_refined(settings))

@@ -103,6 +103,9 @@ bool is_partial_csv_trace(const std::string& path);
 /// True if it is a file of text whose first line tells that this program wrote it as a trace, whole or of
 /// some columns: one of these is none that a recording of another's may have.
 bool is_own_csv_trace(const std::string& path);
+/// Throws Error (refused) where a header that stands below other lines of a file is one of such a trace: what
+/// is known of a trace by its first line would be missed.
+void refuse_trace_below(const std::string& path, const std::vector<std::string>& header);
 
 /// True if it is a file of text whose first line names all columns of a trace. False for a stream, which can
 /// be read once.

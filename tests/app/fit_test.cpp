@@ -126,6 +126,9 @@ TEST_F(Fit, SaysWhatATraceAndAnUnfinishedRecordingAreTakenFor) {
     EXPECT_THAT(fit(std::string("o/rub.") + format + " --out p.toml").err,
                 HasSubstr(std::string("o/rub.") + format + ": is a trace of this program"));
   }
+  std::ofstream(folder / "noted.csv") << "copied by hand\n" << std::ifstream(folder / "o/rub.csv").rdbuf();
+  EXPECT_THAT(fit("noted.csv --out p.toml").err,
+              HasSubstr("noted.csv: is a trace of this program below other lines: take those out"));
   fs::copy_file(folder / "o/rub.csv", folder / "live.csv.part");
   EXPECT_THAT(
       fit("live.csv.part --out p.toml").err,

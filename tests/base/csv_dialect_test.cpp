@@ -18,12 +18,14 @@ using testing::EndsWith;
 using testing::HasSubstr;
 using testing::Not;
 
-CsvColumns read(const std::string& text, char separator = found_separator, char decimal = '.') {
+CsvColumns read(const std::string& text, char separator = found_separator, char decimal = '.',
+                bool takes_lines_above = false) {
   const auto path = test::scratch_dir() / "t.csv";
   std::ofstream(path, std::ios::binary) << text;
   CsvRequest request{{"t", "x"}, {"f"}, {separator, decimal}};
   request.mend = "map it";
   request.decimal_key = "decimal = \"{0}\" in [motion] (fit: --decimal {0})";
+  request.takes_lines_above = takes_lines_above;
   return read_csv_columns(path.string(), request);
 }
 
@@ -162,30 +164,78 @@ TEST(CsvDialect, CommentsArePassedOverAndOneMayBeTheHeader) {
   EXPECT_THAT(refusal("# y z\n1 2\n"), HasSubstr("t.csv:1: no column 't'"));
 }
 
+CsvColumns read_below(const std::string& text, char separator = found_separator, char decimal = '.') {
+  return read(text, separator, decimal, true);
+}
+std::string refusal_below(const std::string& text, char separator = found_separator, char decimal = '.') {
+  return test::why_not([&] { read_below(text, separator, decimal); });
+}
+
 TEST(CsvDialect, WhatAProgramSaysAboveTheHeaderIsPassedOver) {
   const CsvColumns table =
-      read("Sensor: ATI, Nano17\n2026-03-01, 12:30\nsubject\t7\n\nnote,x\nt;x;f\n1;2;3\n4;5;6\n");
+      read_below("Sensor: ATI, Nano17\n2026-03-01, 12:30\nsubject\t7\n\nnote,x\nt;x;f\n1;2;3\n4;5;6\n");
   EXPECT_THAT(table.columns[1], ElementsAre(2, 5));
   EXPECT_THAT(table.lines, ElementsAre(7, 8));
+  EXPECT_THAT(table.names, ElementsAre("t", "x", "f"));
   EXPECT_EQ(table.separator, ';');
   EXPECT_EQ(table.above, "its header is line 6, and what stands above that is passed over");
-  EXPECT_EQ(read("rig 3\nt,x\n1,2\n", ',').lines.size(), 1u);
-  EXPECT_EQ(read("t,x\n1,2\n").above, "");
-  EXPECT_EQ(read("# rig, 3\nt,x\n1,2\n").above, "") << "a comment";
+  EXPECT_EQ(read_below("rig 3\nt,x\n1,2\n", ',').lines.size(), 1u);
+  EXPECT_EQ(read_below("t,x\n1,2\n").above, "");
+  EXPECT_EQ(read_below("# rig, 3\nt,x\n1,2\n").above, "") << "a comment";
+  EXPECT_THAT(read_below("made by rig 3\nchannels are t x f\nt x f\n1 2 3\n").lines, ElementsAre(4))
+      << "blanks part any sentence";
+  EXPECT_THAT(refusal("rig 3\nt,x\n1,2\n"), HasSubstr("t.csv:1: no column 't'")) << "where nobody is told";
 }
 
 TEST(CsvDialect, BelowWhatAProgramSaysTheLineOfNamesIsToldThatLacksOne) {
   // The line above the numbers, of as many cells; and above its units.
   EXPECT_THAT(
-      refusal("Sensor: ATI, Nano17\nsubject,7,9,1\nTime,x\n1,2\n"),
+      refusal_below("Sensor: ATI, Nano17\nsubject,7,9,1\nTime,x\n1,2\n"),
       HasSubstr("t.csv:3: no column 't'; its header must name the columns t,x, and it names Time, x"));
-  EXPECT_THAT(refusal("made by a rig\nTime;x\ns;mm\n1,5;2\n", found_separator, ','),
+  EXPECT_THAT(refusal_below("made by a rig\nTime;x\ns;mm\n1,5;2\n", found_separator, ','),
               HasSubstr("t.csv:2: no column 't'"));
-  EXPECT_THAT(refusal("Sensor: ATI, Nano17\nsubject,7\n"), HasSubstr("t.csv:1: no column 't'"));
+  EXPECT_THAT(
+      refusal_below("Sensor: ATI, Nano17\nTime (s)\tX pos\n1\t2\n"),
+      HasSubstr("t.csv:2: no column 't'; its header must name the columns t,x, and it names Time (s)"))
+      << "blanks part cells that tabs do, too";
+  EXPECT_THAT(refusal_below("Sensor: ATI, Nano17\nsubject,7\n"), HasSubstr("t.csv:1: no column 't'"));
   std::string far(2000, '\n');
   for (int k = 0; k < 300; ++k) far += "a word\n";
-  EXPECT_THAT(refusal(far + "t,x\n1,2\n"), HasSubstr("t.csv:2001: no column 't'"))
+  EXPECT_THAT(refusal_below(far + "t,x\n1,2\n"), HasSubstr("t.csv:2001: no column 't'"))
       << "a table, and not a text, is looked for";
+  const std::string long_line = std::string(70000, 'a') + "\n";
+  EXPECT_THAT(refusal_below("rig\n" + long_line + "t,x\n1,2\n"), HasSubstr("t.csv:1: no column 't'"));
+}
+
+TEST(CsvDialect, AHeaderThatIsNotFoundIsNotToldAsCutOff) {
+  const auto path = test::scratch_dir() / "t.csv";
+  std::ofstream(path) << "Time,X\n10:00:00,1\n10:00:01,2";
+  CsvRequest request{{"t", "x"}};
+  request.takes_lines_above = request.leaves_out_cut_row = true;
+  EXPECT_THAT(test::why_not([&] { read_csv_columns(path.string(), request); }),
+              HasSubstr("t.csv:1: no column 't'"));
+  std::ofstream(path) << "rig 3\nt,x";
+  EXPECT_THAT(test::why_not([&] { read_csv_columns(path.string(), request); }),
+              HasSubstr("ends within its header (line 2)"));
+}
+
+TEST(CsvDialect, ARowThatEndsWithinANumberThatIsReadIsRefused) {
+  EXPECT_THAT(refusal("t,x,more\n0,1,2\n1,1\n2,1,2\n"),
+              HasSubstr("t.csv:3: ends at its cell 2 of 3, and the number there, of column 'x', may be cut"));
+  EXPECT_EQ(refusal("t,x,more,last\n0,1,2\n"), "taken") << "what is read is whole";
+  EXPECT_EQ(refusal("t,x,more\n0,1,\n"), "taken");
+}
+
+TEST(CsvDialect, CellsThatPeopleWriteOtherwiseAreToldAsWhatTheyAre) {
+  EXPECT_THAT(refusal("t,x\n14:02:11.5,1\n"), HasSubstr("a time of day is not read: write seconds"));
+  EXPECT_THAT(refusal("t;x\n0;4,000\n"),
+              HasSubstr("if , parts thousands in it, take it out of all cells; only if it is a decimal mark, "
+                        "say decimal = \",\""));
+  EXPECT_THAT(refusal("t;x\n0;-12.345.678\n", ';', ','), HasSubstr("if . parts thousands"));
+  for (const char* cell : {"0,123", "1234,567", "1,5", "1,2345"})
+    EXPECT_THAT(refusal(std::string("t;x\n0;") + cell + "\n"), Not(HasSubstr("thousands"))) << cell;
+  EXPECT_THAT(refusal(std::string("PK\x03\x04\x14\0\x06\0\n", 9)),
+              HasSubstr("Excel's .xlsx is: save it as CSV"));
 }
 
 TEST(CsvDialect, AMissingColumnIsToldWithThoseThatAreThereAndTheNearest) {
@@ -310,6 +360,8 @@ TEST(CsvDialect, AnotherEncodingIsToldSo) {
       refusal("t,Gr\xf6\xdf\n0,1\n"),
       EndsWith("; its header is no UTF-8 (Latin-1?): save the table as UTF-8, or its names are not found"));
   EXPECT_EQ(si_per_unit(Quantity::time, "\xb5s"), 1e-6) << "micro in Latin-1";
+  EXPECT_EQ(si_per_unit(Quantity::speed, "\u00b5m/s"), 1e-6);
+  EXPECT_EQ(si_per_unit(Quantity::speed, "\u03bcm s^-1"), 1e-6);
   for (const char* micro : {"\u00b5s", "\u03bcs", "us"}) EXPECT_EQ(listed_unit(Quantity::time, micro), "us");
   EXPECT_EQ(listed_unit(Quantity::length, "\u00b5s"), "\u00b5s") << "no length";
   EXPECT_EQ(listed_unit(Quantity::time, "furlong"), "furlong");

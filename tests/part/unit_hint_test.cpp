@@ -22,6 +22,11 @@ TEST(UnitHint, NamesMillimetresForAPartAsLongAsAStreet) {
   EXPECT_THAT(hint(120, 1), testing::HasSubstr("is 120 m long; --unit mm"));
 }
 
+TEST(UnitHint, NamesMicrometresForAPartAsLongAsATown) {
+  EXPECT_THAT(hint(300, 1e-3),
+              testing::HasSubstr("--unit um (in a scene: unit = \"um\") reads it as 300 mm"));
+}
+
 /// Of a part that was drawn about a metre long.
 TEST(UnitHint, NamesMetresForAMillimetre) {
   EXPECT_EQ(hint(1.00158e-3, 1e-3), "is 1 mm long; --unit m (in a scene: unit = \"m\") reads it as 1 m");

@@ -79,7 +79,7 @@ TEST(RecordingKeys, AreRefusedAtTheirPlaceWithWhatTheyMayBe) {
       {"columns = \"X\"", "s.toml:7:11: 'columns' in [motion] must be a table such as { t = \"time\""},
       {"unit = \"ft\"", "unknown unit 'ft'"},
       {"time_unit = \"h\"", "(known: s, ms, us, ns, min)"},
-      {"force_unit = \"lbf\"", "(known: N, mN, kN, gf, kgf)"},
+      {"force_unit = \"dyn\"", "(known: N, mN, kN, gf, kgf, cN, lbf)"},
       {"separator = \"|\"", "s.toml:7:13: 'separator' in [motion] must be \"auto\", \",\", \";\", \"tab\""},
       {"decimal = \"'\"", "'decimal' in [motion] must be"},
       {"separator = \",\"\ndecimal = \",\"",

@@ -67,6 +67,38 @@ TEST_F(Reading, TakesColumnsUnitsAndSeparatorsAsItIsTold) {
   EXPECT_NEAR(trial.force_W(2, 3), -1, 1e-12);
 }
 
+TEST_F(Reading, AUnitThatAColumnsNameSaysIsNotPassedOver) {
+  const auto why_not = [&](const std::string& force, bool is_said) {
+    const std::string path = written("named.csv", table("t_s,x_m,y_m,z_m,fx_n,fy_n," + force, [](int i) {
+                                       return std::to_string(i) + "e-3,0,0,0,0,0,1";
+                                     }));
+    MeasurementFormat format;
+    format.headers[6] = force;
+    format.says_force_unit = is_said;
+    return test::why_not([&] { read_measurements({path}, format); });
+  };
+  EXPECT_THAT(why_not("Fz [kgf]", false),
+              HasSubstr("named.csv: has the column 'Fz [kgf]', whose name says a unit that is not said: say "
+                        "--force-unit, \"kgf\" if it is right"));
+  EXPECT_THAT(why_not("Fz/g", false), HasSubstr("\"gf\" if it is right"));
+  EXPECT_THAT(
+      why_not("Fz [V]", false),
+      HasSubstr("says the unit 'V', and of a force these are known: N, mN, kN, gf, kgf, cN, lbf; turn "
+                "its numbers into one of them, and say --force-unit"));
+  for (const char* plain : {"Fz [N]", "Fz/N", "Fz", "Fz (filtered)"})
+    EXPECT_EQ(why_not(plain, false), "taken");
+  EXPECT_EQ(why_not("Fz [kgf]", true), "taken") << "who says it is believed";
+}
+
+TEST_F(Reading, AColumnThatMayNumberTrialsIsToldWhereItIsNotRead) {
+  const std::string path = written("trials.csv", table("t_s,x_m,y_m,z_m,fx_n,fy_n,fz_n,Trial No", [](int i) {
+                                     return std::to_string(i) + "e-3,0,0,0,0,0,1,1";
+                                   }));
+  EXPECT_THAT(read_measurements({path}, {}).notes,
+              testing::Contains(HasSubstr("the column 'Trial No' is not read: where it numbers trials, say "
+                                          "--columns \"trial=Trial No\"")));
+}
+
 TEST_F(Reading, CellsWithoutANumberAndMissingRowsAreMissingSamples) {
   const std::string path = written(
       "gaps.csv", table("t_s,x_m,y_m,z_m,fx_n,fy_n,fz_n", [](int i) {
@@ -235,9 +267,11 @@ TEST_F(Reading, ARowOfUnitsIsReadWhereItIsClear) {
   };
   EXPECT_THAT(why("ms,mm,mm,mm,mN,mN,mN,-,-,-,"),
               HasSubstr("'mm' below 'x_m', whose name says another unit"));
-  EXPECT_THAT(why("ms,m,m,m,V,V,V,-,-,-,"),
-              HasSubstr("no unit of force that is known (N, mN, kN, gf, kgf): put # before the line, and say "
-                        "--force-unit"));
+  EXPECT_THAT(
+      why("ms,m,m,m,V,V,V,-,-,-,"),
+      HasSubstr(
+          "no unit of force that is known (N, mN, kN, gf, kgf, cN, lbf): put # before the line, and say "
+          "--force-unit"));
 }
 
 TEST_F(Reading, ANamedSeparatorThatTheTableHasNotIsToldWithAWayOut) {

@@ -87,7 +87,7 @@ TEST(NamedTrials, AUnitIsOfWhatTheFileWasTakenIn) {
   take_trial_units({"trial 1=N"}, {}, all);
   constexpr double rounding = 1e-12;
   EXPECT_TRUE(all.trials[0].force_W.isApprox(1e3 * force_n, rounding));
-  for (const char* text : {"trial 1", "trial 1=kg", "trial 1=", "=N"})
+  for (const char* text : {"trial 1", "trial 1=furlong", "trial 1=", "=N"})
     EXPECT_NE(why_not([&] { take_trial_units({text}, {}, all); }), "taken") << text;
 }
 

@@ -77,7 +77,7 @@ TEST_F(Hdf5Motion, AUnitThatIsNotKnownOrContradictedIsRefusedByName) {
   EXPECT_THAT(
       test::why_not([&] { read_motion_hdf5(path, format); }),
       AllOf(HasSubstr("has the unit 'furlong' at 'X', which is no unit of length that is known (m, mm, "
-                      "cm, in): delete the attribute, and say unit in [motion]"),
+                      "cm, in, um): delete the attribute, and say unit in [motion]"),
             Not(HasSubstr("line"))));
   written(two_trials());
   format.says_unit = true;

@@ -97,6 +97,66 @@ TEST(RecordingSource, ColumnsThatHoldAnOrientationUnderOtherNamesAreToldAsNotRea
   EXPECT_THAT(notes("a,b,rolled_qw,quiet"), IsEmpty());
 }
 
+TEST(RecordingSource, ANameThatSaysAUnitIsAskedForItHoweverItIsWritten) {
+  const auto told = [](const std::string& x) {
+    const Scene scene = scene_with("file = \"m.csv\"\ncolumns = { x = '" + x + "' }\n");
+    write_recording(500, 240, "t_s,\"" + x + "\",y_m,z_m");
+    return test::why_not([&] { load_motion(scene); });
+  };
+  for (const char* x : {"x/mm", "X [mm]", "X, mm", "X mm"}) {
+    EXPECT_THAT(told(x),
+                HasSubstr("whose name says a unit that is not said: say unit in [motion], \"mm\" if it "
+                          "is right"))
+        << x;
+  }
+  EXPECT_THAT(told("X (\u00b5m)"), HasSubstr("\"um\" if it is right"));
+  EXPECT_THAT(told("X (ft)"),
+              HasSubstr("says the unit 'ft', and of a length these are known: m, mm, cm, in, um"));
+  for (const char* x : {"x/m", "X", "X (raw data)", "pos x"}) EXPECT_EQ(told(x), "taken") << x;
+}
+
+TEST(RecordingSource, RowsOfSeveralTrialsAreNotTakenForOneMotionUntold) {
+  const auto notes = [](const std::string& more) {
+    const Scene scene = scene_with("file = \"m.csv\"\nrate_hz = 10\n" + more);
+    std::ofstream file(test::scratch_dir() / "m.csv");
+    file << "t_s,x_m,y_m,z_m,trial\n";
+    for (int i = 0; i < 30; ++i) file << fmt::format("{},{:.6f},0,0.001,1\n", i / 10.0, 1e-5 * i);
+    file.close();
+    return load_motion(scene).notes;
+  };
+  EXPECT_THAT(notes(""), ElementsAre(HasSubstr("the column 'trial' is not read: all rows are one motion")));
+  EXPECT_THAT(notes("trial = 1\n"), IsEmpty());
+}
+
+TEST(RecordingSource, RowsWhereATrackerLostItsMarkerAreTold) {
+  const auto warnings = [](int lost) {
+    const Scene scene = scene_with("file = \"m.csv\"\nrate_hz = 200\n");
+    std::ofstream file(test::scratch_dir() / "m.csv");
+    file << "t_s,x_m,y_m,z_m\n";
+    for (int i = 0; i < 400; ++i)
+      file << (i >= 200 && i < 200 + lost ? fmt::format("{},0,0,0\n", i / 200.0)
+                                          : fmt::format("{},{:.6f},0,0.001\n", i / 200.0, 0.05 + 1e-4 * i));
+    file.close();
+    return load_motion(scene).warnings;
+  };
+  EXPECT_THAT(warnings(0), IsEmpty());
+  EXPECT_THAT(warnings(4),
+              ElementsAre(HasSubstr("its finger leaps by 69.9 mm within 5 ms at t = 1 s, and at 1 "
+                                    "more of its steps: are rows wrong there")));
+}
+
+TEST(RecordingSource, ATraceBelowOtherLinesIsNotTakenForARecording) {
+  const Scene scene = scene_with("file = \"m.csv\"\n");
+  std::string header = "copied by hand\n", row;
+  for (const TraceColumn& column : trace_columns()) {
+    header += std::string(column.name) + ",";
+    row += column.name == "dx" || column.name == "qw" ? "1," : "0,";
+  }
+  std::ofstream(test::scratch_dir() / "m.csv") << header << "\n" << row << "\n";
+  EXPECT_THAT(test::why_not([&] { load_motion(scene); }),
+              HasSubstr("is a trace of this program below other lines"));
+}
+
 TEST(RecordingSource, ATimeThatStandsTwiceIsToldOtherwiseThanRowsThatAreNotSorted) {
   const auto told = [](const char* rows) {
     const Scene scene = scene_with("file = \"m.csv\"\n");

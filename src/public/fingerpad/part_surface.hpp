@@ -11,7 +11,7 @@ namespace fingerpad {
 
 /// How a mesh file is to be taken.
 struct MeshOptions {
-  std::string unit = "mm";  ///< what one unit of the file is: "m", "mm", "cm" or "in"
+  std::string unit = "mm";  ///< what one unit of the file is: "m", "mm", "cm", "in" or "um"
   double crease_deg = 30;   ///< edges whose facets turn by more than this stay sharp
   bool repair = false;      ///< weld near vertices, leave out duplicates, wind outwards; warnings() tell
 };
