@@ -45,12 +45,20 @@ double least_span(std::string_view label) noexcept {
 
 namespace {
 
+/// A multiple of a step, with as many digits as tell it from the next: of a clock that counts from 1970, too.
+std::string mark_label(double value, double step) {
+  constexpr double told_by_six_digits = 1e5;
+  if (!(std::abs(value) > told_by_six_digits * step)) return plain_number(value);
+  const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)));
+  return fmt::format("{:.{}f}", value, decimals);
+}
+
 void mark_multiples(Axis& axis, double step) {
   axis.marks.clear();
   axis.labels.clear();
   for (double k = std::ceil(axis.min / step - 1e-9); k * step <= axis.max + 1e-9 * step; ++k) {
     axis.marks.push_back(k * step);
-    axis.labels.push_back(plain_number(std::abs(k) < 0.5 ? 0 : k * step));
+    axis.labels.push_back(mark_label(std::abs(k) < 0.5 ? 0 : k * step, step));
   }
 }
 

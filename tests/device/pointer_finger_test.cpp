@@ -95,8 +95,8 @@ TEST(PointerFinger, GoesNoFartherInATickOfAPressThanItGoesAside) {
   EXPECT_LT(harder, 3e-4 * touched) << "a shorter step keeps the force, wherever one does";
   fmt::print("{} of {} jumped, by up to {:.2f} mm; {} of {} ticks pressed harder\n", jumped, path_count,
              1e3 * farthest, harder, touched);
-  if (!test::real_data()) GTEST_SKIP() << "the share is that of all worlds, real parts among them";
-  EXPECT_LE(jumped, std::max(1, path_count / 100));
+  // The share is that of all worlds, real parts among them; over the project's own alone it is 2.5 %.
+  EXPECT_LE(jumped, std::max(1, path_count / (test::real_data() ? 100 : 40)));
 }
 
 /// Presses on (0, 0, top) of a world for a second. @returns the normal forces of its ticks

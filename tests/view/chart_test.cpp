@@ -74,6 +74,9 @@ TEST(Axis, HasAMarkAtZeroWhereThatIsWithinHoweverFewMarksFit) {
 
 TEST(Axis, HasMarksOnBothSidesOfZeroWhereTheyFit) {
   // Friction of a rub to and fro, in a strip: a half is too coarse, and steps of a fifth make three marks.
+  EXPECT_EQ(linear_axis(1710170000, 1710170001, 3).labels,
+            (std::vector<std::string>{"1710170000.0", "1710170000.5", "1710170001.0"}));
+  EXPECT_EQ(linear_axis(250000, 250002, 2).labels, (std::vector<std::string>{"250000", "250001", "250002"}));
   EXPECT_EQ(linear_axis(-0.34, 0.33, 3).labels, (std::vector<std::string>{"-0.2", "0", "0.2"}));
   EXPECT_EQ(linear_axis(-0.34, 0.33, 2).labels, (std::vector<std::string>{"0", "0.2"}));
 }
