@@ -114,16 +114,15 @@ void refuse_units(const Row& row, const std::vector<Wanted>& wanted, bool has_un
                               "the columns are in the units that are asked for"));
 }
 
-/// A row that ends within its cells may have been cut within the last of them, whose number is then another.
-void refuse_short_row(const Row& row, const std::vector<Wanted>& wanted, std::size_t header_cells) {
+/// A row of fewer cells than one before may have been cut within its last, whose number is then another.
+void refuse_short_row(const Row& row, const std::vector<Wanted>& wanted, std::size_t most_cells) {
   const std::size_t cells = row.cells.size();
   const auto last = std::ranges::find(wanted, cells - 1, &Wanted::cell);
-  if (cells >= header_cells || last == wanted.end() || row.cells.back().empty()) return;
-  throw refused(
-      row.lines.place(),
-      fmt::format("ends at its cell {} of {}, and the number there, of column '{}', may be cut: leave "
-                  "the row out, or fill it",
-                  cells, header_cells, printable(last->name, 60)));
+  if (cells >= most_cells || last == wanted.end() || row.cells.back().empty()) return;
+  throw refused(row.lines.place(),
+                fmt::format("has {} cells, where rows above have {}, and the number in its last, of column "
+                            "'{}', may be cut: leave the row out, or fill it",
+                            cells, most_cells, printable(last->name, 60)));
 }
 
 /// "4,000" and "-12,345,678" with a comma: there may be no decimal mark in it.
@@ -255,7 +254,8 @@ void CsvRowReader::take(std::string_view line) {
     refuse_units(row, wanted_, !units_.place.empty());
   refuse_extra_cells(row, header_cells_, separator_);
   for (const Wanted& column : wanted_) numbers_[column.index] = number_in(row, column, decimal_, takes_gaps_);
-  refuse_short_row(row, wanted_, header_cells_);
+  refuse_short_row(row, wanted_, most_cells_);
+  most_cells_ = std::max(most_cells_, std::min(cells_.size(), header_cells_));
   ++rows_;
 }
 

@@ -50,6 +50,7 @@ class CsvRowReader {
   std::string first_row_;  // that was read to look at it
   UnitRow units_;
   std::size_t header_cells_ = 0, rows_ = 0;
+  std::size_t most_cells_ = 0;  // of a row so far
   std::vector<Wanted> wanted_;
   std::vector<bool> present_;
   std::vector<std::string> names_, unread_;

@@ -220,8 +220,11 @@ TEST(CsvDialect, AHeaderThatIsNotFoundIsNotToldAsCutOff) {
 }
 
 TEST(CsvDialect, ARowThatEndsWithinANumberThatIsReadIsRefused) {
-  EXPECT_THAT(refusal("t,x,more\n0,1,2\n1,1\n2,1,2\n"),
-              HasSubstr("t.csv:3: ends at its cell 2 of 3, and the number there, of column 'x', may be cut"));
+  EXPECT_THAT(
+      refusal("t,x,more\n0,1,2\n1,1\n2,1,2\n"),
+      HasSubstr("t.csv:3: has 2 cells, where rows above have 3, and the number in its last, of column "
+                "'x', may be cut"));
+  EXPECT_EQ(refusal("t,x,remark\n0,1\n1,1\n"), "taken") << "none has the last";
   EXPECT_EQ(refusal("t,x,more,last\n0,1,2\n"), "taken") << "what is read is whole";
   EXPECT_EQ(refusal("t,x,more\n0,1,\n"), "taken");
 }
