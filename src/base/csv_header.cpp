@@ -153,7 +153,7 @@ bool is_wide_text(std::string_view line) {
          line.find(std::string_view("\0\0", 2)) == line.npos;
 }
 
-/// Of a first line that holds a zero byte, or begins as no text does.
+/// What a file is whose first line holds a zero byte.
 std::string_view binary_words(std::string_view line) {
   if (line.starts_with("PK\x03\x04")) return ", but a zip file, as Excel's .xlsx is: save it as CSV";
   if (line.starts_with("\xd0\xcf\x11\xe0")) return ", but a file of an old Excel: save it as CSV";

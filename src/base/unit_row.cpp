@@ -39,17 +39,9 @@ std::vector<std::string_view> unit_words(std::string_view name) {
   return words;
 }
 
-}  // namespace
-
-std::optional<double> unit_in_name(Quantity quantity, std::string_view name) {
-  if (unit_in_ending(name) == si_symbols[static_cast<std::size_t>(quantity)]) return 1;
-  for (const std::string_view word : unit_words(name))
-    if (const auto si = si_per_unit(quantity, word)) return si;
-  return std::nullopt;
-}
-
+/// @param name  one of the group's columns, whose unit nobody says
 void refuse_named_unit(const std::string& path, std::string_view name, const UnitGroup& group) {
-  if (group.is_said || unit_in_ending(name) == si_symbols[static_cast<std::size_t>(group.quantity)]) return;
+  if (unit_in_ending(name) == si_symbols[static_cast<std::size_t>(group.quantity)]) return;
   const std::string column = fmt::format("has the column '{}', whose name says", printable(name, 60));
   for (const std::string_view word : unit_words(name)) {
     const auto si = si_per_unit(group.quantity, word);
@@ -64,6 +56,15 @@ void refuse_named_unit(const std::string& path, std::string_view name, const Uni
                                 column, printable(word, 20), quantity_words(group.quantity),
                                 unit_list(group.quantity), group.option));
   }
+}
+
+}  // namespace
+
+std::optional<double> unit_in_name(Quantity quantity, std::string_view name) {
+  if (unit_in_ending(name) == si_symbols[static_cast<std::size_t>(quantity)]) return 1;
+  for (const std::string_view word : unit_words(name))
+    if (const auto si = si_per_unit(quantity, word)) return si;
+  return std::nullopt;
 }
 
 std::optional<double> told_unit(const UnitRow& row, const std::vector<std::string_view>& names,
@@ -104,6 +105,14 @@ std::optional<double> told_unit(const UnitRow& row, const std::vector<std::strin
     first = word;
   }
   return found;
+}
+
+std::optional<double> told_unit_or_ask(const std::string& path, const UnitRow& row,
+                                       const std::vector<std::string_view>& names, const UnitGroup& group) {
+  const auto told = told_unit(row, names, group);
+  if (!told && !group.is_said)
+    for (const std::size_t column : group.columns) refuse_named_unit(path, names[column], group);
+  return told;
 }
 
 std::string told_units_words(const ToldUnits& told, UnitSource source) {

@@ -35,11 +35,11 @@ using ToldUnits = std::array<std::optional<double>, quantities>;
 std::optional<double> told_unit(const UnitRow& row, const std::vector<std::string_view>& names,
                                 const UnitGroup& group);
 
-/// A column named x_mm is not to be taken for metres because nobody said a unit. Throws Error (refused, at
-/// `path`) for one whose name says another unit than the group's, unless that is said, and for one of a unit
-/// that is not known.
-/// @param name  one of the group's columns
-void refuse_named_unit(const std::string& path, std::string_view name, const UnitGroup& group);
+/// The same, where a column's own name may say its unit: one named x_mm is not to be taken for metres because
+/// nobody said a unit. Throws Error also (refused, at `path`) where the row has none for the group, and none
+/// is said, for a name that says another unit than the group's, and for a unit that is not known.
+std::optional<double> told_unit_or_ask(const std::string& path, const UnitRow& row,
+                                       const std::vector<std::string_view>& names, const UnitGroup& group);
 
 /// "units as the line below its header has them: a time is 0.001 s, a force 9.80665 N", for people; empty
 /// where the row tells none.

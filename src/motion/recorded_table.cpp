@@ -13,11 +13,6 @@
 namespace fingerpad {
 namespace {
 
-std::string_view header_of(const RecordingFormat& format, std::size_t column) {
-  const std::string& named = format.headers[column];
-  return named.empty() ? recording_columns[column].header : std::string_view(named);
-}
-
 bool is_required(const RecordingFormat& format, std::size_t column) {
   if (!format.headers[column].empty() || column < place_of_dx) return true;
   if (column == place_of_fn) return format.reads_normal_force;
@@ -47,36 +42,20 @@ void keep_one_trial(const RecordingFormat& format, RecordedTable& table) {
                                         format.trial ? fmt::format(" trial {}", *format.trial) : ""));
 }
 
-void refuse_named_units(const std::string& path, const AskedColumns& asked, const RecordingFormat& format) {
-  for (std::size_t k = 0; k < asked.places.size(); ++k) {
-    const std::size_t place = asked.places[k];
-    const auto refuse = [&](Quantity quantity, bool is_said, double si_per_unit, const char* option) {
-      refuse_named_unit(path, asked.names[k], {quantity, {}, is_said, si_per_unit, option});
-    };
-    if (place == 0)
-      refuse(Quantity::time, format.says_time_unit, format.seconds_per_unit, "time_unit in [motion]");
-    if (place >= place_of_x && place < place_of_x + 3)
-      refuse(Quantity::length, format.says_unit, format.metres_per_unit, "unit in [motion]");
-    if ((place >= place_of_fx && place < place_of_fx + 3) || place == place_of_fn)
-      refuse(Quantity::force, format.says_force_unit, format.newtons_per_unit, "force_unit in [motion]");
-  }
-}
-
 void take_units(const std::string& path, const UnitRow& row, const AskedColumns& asked,
                 RecordingFormat& format) {
-  if (row.words.empty()) return refuse_named_units(path, asked, format);
   const auto unit = [&](Quantity quantity, std::initializer_list<std::size_t> columns, bool is_said,
                         double si_per_unit, const char* option) -> std::optional<double> {
     UnitGroup group{quantity, {}, is_said, si_per_unit, option};
     for (std::size_t k = 0; k < asked.places.size(); ++k)
       if (std::find(columns.begin(), columns.end(), asked.places[k]) != columns.end())
         group.columns.push_back(k);
-    return told_unit(row, asked.names, group);
+    return told_unit_or_ask(path, row, asked.names, group);
   };
   format.seconds_per_unit =
       unit(Quantity::time, {0}, format.says_time_unit, format.seconds_per_unit, "time_unit in [motion]")
           .value_or(format.seconds_per_unit);
-  format.says_time_unit = format.says_time_unit || !row.words[0].empty();
+  format.says_time_unit = format.says_time_unit || (!row.words.empty() && !row.words[0].empty());
   format.metres_per_unit = unit(Quantity::length, {place_of_x, place_of_x + 1, place_of_x + 2},
                                 format.says_unit, format.metres_per_unit, "unit in [motion]")
                                .value_or(format.metres_per_unit);
@@ -87,6 +66,11 @@ void take_units(const std::string& path, const UnitRow& row, const AskedColumns&
 }
 
 }  // namespace
+
+std::string_view header_of(const RecordingFormat& format, std::size_t column) {
+  const std::string& named = format.headers[column];
+  return named.empty() ? recording_columns[column].header : std::string_view(named);
+}
 
 std::vector<std::string> trial_names(const std::vector<std::string>& header) {
   std::vector<std::string> found;

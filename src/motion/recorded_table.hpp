@@ -12,6 +12,9 @@
 
 namespace fingerpad {
 
+/// What a file calls a column, by its place in recording_columns.
+std::string_view header_of(const RecordingFormat& format, std::size_t place);
+
 /// Those names of a header that by their words number trials or subjects: "Trial No", "subject".
 std::vector<std::string> trial_names(const std::vector<std::string>& header);
 
@@ -42,7 +45,7 @@ struct RecordedTable {
 /// A table that has the columns asked for. Takes the units that it names into `format`, and keeps the rows of
 /// the subject and the trial that the format names.
 /// @param columns  per asked.places; empty where absent
-/// Throws Error (refused) for units as told_unit, for a table without rows, and where no row is left.
+/// Throws Error (refused) for units as told_unit_or_ask, for a table without rows, and where no row is left.
 RecordedTable recorded_table(const std::string& path, std::vector<std::vector<double>> columns,
                              std::vector<long> lines, const AskedColumns& asked, const UnitRow& units,
                              RecordingFormat& format);

@@ -1,6 +1,5 @@
 #include "study/measured_units.hpp"
 
-#include <algorithm>
 #include <initializer_list>
 #include <utility>
 
@@ -21,12 +20,7 @@ ToldUnits take_measured_units(const std::string& path, const UnitRow& row,
         if (places[k] >= place && places[k] < place + count) group.columns.push_back(k);
       }
     }
-    const auto is_told = [&row](std::size_t k) { return k < row.words.size() && !row.words[k].empty(); };
-    if (std::ranges::none_of(group.columns, is_told)) {
-      for (const std::size_t k : group.columns) refuse_named_unit(path, names[k], group);
-      return;
-    }
-    told[static_cast<std::size_t>(quantity)] = told_unit(row, names, group);
+    told[static_cast<std::size_t>(quantity)] = told_unit_or_ask(path, row, names, group);
     si_per_unit = told[static_cast<std::size_t>(quantity)].value_or(si_per_unit);
   };
   using enum MeasuredColumn;

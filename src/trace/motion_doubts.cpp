@@ -115,12 +115,17 @@ void note_unread_attitude(MotionReading& reading, const std::vector<std::string>
 
 void note_unread_trials(MotionReading& reading, const std::vector<std::string>& names) {
   const RecordingFormat& format = reading.settings.format;
-  if (format.trial || format.subject) return;
-  for (const std::string& name : trial_names(names))
+  const auto is_read = [&format](const std::string& name) {
+    return (format.trial && name == header_of(format, place_of_trial)) ||
+           (format.subject && name == header_of(format, place_of_subject));
+  };
+  for (const std::string& name : trial_names(names)) {
+    if (is_read(name)) continue;
     reading.note(fmt::format(
-        "the column '{}' is not read: all rows are one motion; where it numbers several, say trial = N (or "
-        "subject = N), and columns = {{ trial = \"NAME\" }} where it is called otherwise, in [motion]",
+        "the column '{}' is not read: its rows of all numbers are one motion; say trial = N (or subject = N) "
+        "to take one, and columns = {{ trial = \"NAME\" }} where it is called otherwise, in [motion]",
         name));
+  }
 }
 
 void warn_of_leaps(MotionReading& reading) {

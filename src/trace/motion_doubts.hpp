@@ -15,7 +15,7 @@ void warn_of_odd_steps(MotionReading& reading);
 void warn_of_named_units(MotionReading& reading);
 /// Of columns that by their names hold the finger's orientation, where no such is read.
 void note_unread_attitude(MotionReading& reading, const std::vector<std::string>& names);
-/// Of columns that by their names number trials or subjects, where the scene asks for none of these.
+/// Of columns that by their names number trials or subjects, and that the scene does not ask for.
 void note_unread_trials(MotionReading& reading, const std::vector<std::string>& names);
 /// Of single steps that no finger makes, as where a tracker lost its marker: faster than 3 m/s, and twenty
 /// times as fast as is usual where it moves. (Of many such steps the unit is wrong, or the clock.)

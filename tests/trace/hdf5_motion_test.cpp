@@ -87,6 +87,23 @@ TEST_F(Hdf5Motion, AUnitThatIsNotKnownOrContradictedIsRefusedByName) {
                 "delete the attribute if it is wrong"));
 }
 
+TEST_F(Hdf5Motion, AUnitThatADatasetsNameAloneSaysIsAskedFor) {
+  std::vector<Column> columns = two_trials();
+  columns[1].name = "X [cm]";
+  for (std::size_t k = 1; k < 4; ++k) columns[k].unit = "";
+  written(columns);
+  RecordingFormat format = named();
+  format.headers[1] = "X [cm]";
+  format.trial = 1;
+  EXPECT_THAT(
+      test::why_not([&] { read_motion_hdf5(path, format); }),
+      HasSubstr("has the column 'X [cm]', whose name says a unit that is not said: say unit in [motion], "
+                "\"cm\" if it is right"));
+  columns[1].unit = "cm";
+  written(columns);
+  EXPECT_EQ(read_motion_hdf5(path, format).p_WQ(0, 0), 1e-2) << "an attribute says it for all";
+}
+
 TEST_F(Hdf5Motion, AsksForWhatItLacksAndRefusesWhatIsOfTextsAlone) {
   written(two_trials());
   RecordingFormat format;

@@ -119,13 +119,18 @@ TEST(RecordingSource, RowsOfSeveralTrialsAreNotTakenForOneMotionUntold) {
   const auto notes = [](const std::string& more) {
     const Scene scene = scene_with("file = \"m.csv\"\nrate_hz = 10\n" + more);
     std::ofstream file(test::scratch_dir() / "m.csv");
-    file << "t_s,x_m,y_m,z_m,trial\n";
-    for (int i = 0; i < 30; ++i) file << fmt::format("{},{:.6f},0,0.001,1\n", i / 10.0, 1e-5 * i);
+    file << "t_s,x_m,y_m,z_m,trial,Subject\n";
+    for (int i = 0; i < 30; ++i) file << fmt::format("{},{:.6f},0,0.001,1,1\n", i / 10.0, 1e-5 * i);
     file.close();
     return load_motion(scene).notes;
   };
-  EXPECT_THAT(notes(""), ElementsAre(HasSubstr("the column 'trial' is not read: all rows are one motion")));
-  EXPECT_THAT(notes("trial = 1\n"), IsEmpty());
+  const auto not_read = [](const std::string& name) {
+    return HasSubstr("the column '" + name + "' is not read: its rows of all numbers are one motion");
+  };
+  EXPECT_THAT(notes(""), ElementsAre(not_read("trial"), not_read("Subject")));
+  EXPECT_THAT(notes("trial = 1\n"), ElementsAre(not_read("Subject")));
+  EXPECT_THAT(notes("trial = 1\nsubject = 1\ncolumns = { subject = \"Subject\" }\n"),
+              ElementsAre("m.csv: subject is 'Subject'"));
 }
 
 TEST(RecordingSource, RowsWhereATrackerLostItsMarkerAreTold) {
